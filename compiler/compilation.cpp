@@ -12,6 +12,7 @@
 #include "ir/opt/prepare_for_flight.h"
 #include "ir/text/read.h"
 #include "ir/verify/verify.h"
+#include "ir/worlds/naps.h"
 #include "platforms/load/load_platform.h"
 #include "support/diagnostics/ids/command.h"
 #include "support/files.h"
@@ -126,6 +127,7 @@ void lower(Compilation& compilation) {
   }
   platforms::Platform platform = parsed.platform;
   allowForSteepPitch(*mission, platform.envelope);
+  ir::allowForNaps(*mission, platform.world);
   compilation.lowered = std::make_shared<const Lowered>(
       Lowered{compilation.sources, std::make_shared<const ir::Mission>(std::move(*mission)),
               std::move(beside.in_c), std::move(platform), parsed.standard_library});
@@ -144,6 +146,7 @@ Result<std::shared_ptr<const Lowered>> readIr(uint32_t file,
     return std::unexpected(platform.error());
   }
   allowForSteepPitch(*mission, platform->envelope);
+  ir::allowForNaps(*mission, platform->world);
   ir::CInterface in_c = ir::usedInC(*mission);
   return std::make_shared<const Lowered>(
       Lowered{std::move(sources),

@@ -6,6 +6,7 @@
 #include "compiler/boards.h"
 #include "compiler/share.h"
 #include "frontend/spelling.h"
+#include "hooks/protocol/nap_times.h"
 #include "simulator/family/family.h"
 #include "simulator/sensors/provided.h"
 #include "simulator/simulator.h"
@@ -81,7 +82,11 @@ support::Result<simulator::Scenario> chooseScenario(const std::string& wanted,
       return std::unexpected(board.error());
     }
     if (*board && (*board)->power) {
-      scenario->vehicle.battery.sbc_W = (*board)->power->running_W;
+      const platforms::BoardPower& power = *(*board)->power;
+      scenario->vehicle.battery.sbc_W = power.running_W;
+      if (power.sleep) {
+        scenario->vehicle.battery.sbc_asleep_W = power.sleep->asleep_W;
+      }
     }
   }
   return scenario;
@@ -127,6 +132,22 @@ bool hasBundledSkeleton(const simulator::Scenario& scenario) {
   return std::filesystem::equivalent(scenario.skeleton_path.parent_path(), bundledScenarios(),
                                      error) &&
          !error;
+}
+
+std::string allowNaps(const ir::Mission& mission, const platforms::Platform& platform,
+                      simulator::Scenario& scenario) {
+  const simulator::Family* family = simulator::familyOf(platform);
+  if (!mission.nap_s || family == nullptr || family->allow_naps == nullptr ||
+      !hasBundledSkeleton(scenario)) {
+    return "";
+  }
+  const auto allowed =
+      family->allow_naps(scenario.own, std::ceil(*mission.nap_s + int{kHookAroundNapSecs}));
+  return allowed ? fmt::format(
+                       "the bundled {} lets the SBC sleep, with nap_secs {:g}; the vehicle's "
+                       "own mission file needs as much",
+                       scenario.skeleton_path.filename().string(), *allowed)
+                 : "";
 }
 
 std::string setDuration(simulator::Scenario& scenario, const platforms::Platform& platform,

@@ -33,6 +33,11 @@ support::Result<simulator::Scenario> chooseScenario(const std::string& wanted,
 /// scenario has some of its own, these stay; a note if they hold another charge, empty otherwise.
 std::string carryPack(const ir::Mission& mission, simulator::Scenario& scenario);
 
+/// Lets the SBC of `scenario` sleep as the mission's line `nap at most` says, if the vehicle's
+/// mission file comes with glidercc; returns a note about that, empty otherwise.
+std::string allowNaps(const ir::Mission& mission, const platforms::Platform& platform,
+                      simulator::Scenario& scenario);
+
 /// Makes the flights of `scenario` last up to `duration_s`, for --duration. If its mission file of
 /// the vehicle is one that comes with glidercc and would end the flight sooner (overtime), that
 /// time is raised too; returns a note about that, empty otherwise. The warning that another file

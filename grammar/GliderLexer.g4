@@ -117,6 +117,7 @@ DIVES : 'dives' ;
 BELOW : 'below' ;
 ABOVE : 'above' ;
 ONE : 'one' ;
+NAP : 'nap' ;
 
 // Units (support/units/units.def) and the letters of positions; `S` and `W` are both. `min` is also the function.
 MIN : 'min' ;

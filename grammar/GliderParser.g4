@@ -11,7 +11,7 @@ file : item* EOF ;
 item
   : missionLine | platformLine | importLine
   | constant | parameter | variable
-  | always | state | behaviour | external | place | requirement | assumption | resumption | declination | share
+  | always | state | behaviour | external | place | requirement | assumption | resumption | nap | declination | share
   | vehicles | pack | choice | preference
   ;
 
@@ -70,6 +70,8 @@ declaration
 reads : READS name (COMMA name)* ;
 
 resumption : RESUME WITHIN expr (COMMA NEVER AFTER RESTART)? ;
+// How long the SBC may sleep between two ticks: `nap at most 4 min`.
+nap : NAP AT MOST expr ;
 declination : DECLINATION expr ;
 
 place : PLACE anyName ASSIGN expr ;
@@ -163,7 +165,7 @@ name
   | LEAST | EXACTLY | TIMES_WORD | BEFORE | WHENEVER | WHEN | ONLY | NEXT | TICK | FOR | HOLD | UNTIL | OUTSIDE
   | FROM | TO | ASSUME | START | NO | OUTAGE | CURRENT | KNOWN | FIX | AS | CHANGES | SHARE | PRECISION
   | VEHICLES | PEERS | PACK | RESERVE | CHOOSE | BY | LAUNCH | PREFER | GREATEST | ENDURANCE | OFF | ON | CLIMBS | DIVES | BELOW
-  | ABOVE | ONE
+  | ABOVE | ONE | NAP
   ;
 // A unit's name may name a mission or a state; elsewhere the frontend says why not.
 anyName : name | UNIT | COMPASS | MIN ;

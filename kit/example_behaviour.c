@@ -77,6 +77,7 @@ void exampleBehaviourFly(void) {
   report(GLIDER_X_HOOK_SESSION, outputs.session);
   report(GLIDER_X_HOOK_GUARD, outputs.guard);
   report(GLIDER_X_HOOK_MASKED, outputs.masked);
+  report(GLIDER_X_HOOK_NAP_SECS, outputs.nap_secs);
   if (outputs.commanding) {
     the_flight.command(the_flight.self, &outputs);
   }

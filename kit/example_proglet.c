@@ -6,7 +6,7 @@
 #define GLIDER_DEFINE_DICTIONARY
 #include "platforms/slocum_sensors.h"
 
-static Hookprog the_hookprog;  // 9 KB: not on a stack
+static Hookprog the_hookprog;  // 30 KB: not on a stack
 static ExampleBoard the_board;
 static bool is_on;
 
@@ -25,11 +25,14 @@ void exampleProgletStart(void) {
 void exampleProgletRun(double science_time_s) {
   if (is_on) {
     hookprogRun(&the_hookprog, science_time_s, &the_board.memory, &the_board.sbc);
+    // As a level: a change that was missed is made up for within a second.
+    the_board.want_sbc(the_board.memory.self, hookprogWantsSbc(&the_hookprog));
   }
 }
 
 void exampleProgletEnd(void) {
   is_on = false;
+  the_board.want_sbc(the_board.memory.self, true);  // hookprog would not wake it
 }
 
 bool exampleProgletNextEvent(HookSeatEvent* event) {

@@ -16,6 +16,8 @@ extern "C" {
 typedef struct ExampleBoard {
   HookScienceMemory memory;  ///< its sensors
   GliderByteStream sbc;      ///< the UART to the SBC, 115200 baud, 8N1
+  /// Sets the line that switches the SBC on, after each run: false while it may sleep.
+  void (*want_sbc)(void* self, bool wanted);
 } ExampleBoard;
 
 /// When the science computer starts. `virtual_time`: the vehicle is simulated, and its clock waits
@@ -26,8 +28,8 @@ void exampleProgletStart(void);
 /// Once a second; `science_time_s`: a clock that goes on while the computer restarts, such as s
 /// since 1970: the heartbeat begins with it.
 void exampleProgletRun(double science_time_s);
-/// When it is switched off: until it starts again it neither reads nor writes. The SBC then has no
-/// answer, and hookbeh takes over after `silence_secs`.
+/// When it is switched off: until it starts again it neither reads nor writes. The SBC is woken,
+/// has no answer, and hookbeh takes over after `silence_secs`.
 void exampleProgletEnd(void);
 
 /// The oldest event, for the vehicle's log. False when there is none.

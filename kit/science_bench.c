@@ -86,6 +86,12 @@ static int32_t writeSbc(void* self, const uint8_t* bytes, uint32_t count) {
   return (int32_t)count;
 }
 
+/// The simulated SBC does not sleep.
+static void wantSbc(void* self, bool wanted) {
+  (void)self;
+  (void)wanted;
+}
+
 static void fail(const char* why) {
   printf("error %s\n", why);
   exit(2);
@@ -127,7 +133,7 @@ static void run(double time_s) {
 }
 
 static void hello(unsigned version, unsigned long hash, int virtual_time) {
-  const ExampleBoard board = {{NULL, get, set}, {NULL, readSbc, writeSbc}};
+  const ExampleBoard board = {{NULL, get, set}, {NULL, readSbc, writeSbc}, wantSbc};
   if (version != kVersion) {
     fail("other lines are spoken: build it with the kit of this glidercc");
   }

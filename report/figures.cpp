@@ -317,6 +317,24 @@ std::string stateName(const Trace& trace, double id) {
   return fmt::format("state {}", id);
 }
 
+namespace {
+
+/// From each time that the SBC sleeps until it is woken.
+void measureSleep(const Trace& trace, FlightFigures& figures) {
+  double since_s = kNoFigure;
+  for (const support::TraceEvent& event : trace.events) {
+    if (event.id == support::EventId::SbcSleeps) {
+      since_s = event.time_s;
+      ++figures.sleeps;
+    } else if (event.id == support::EventId::SbcWoken && std::isfinite(since_s)) {
+      figures.asleep_s += event.time_s - since_s;
+      since_s = kNoFigure;
+    }
+  }
+}
+
+}  // namespace
+
 FlightFigures flightFigures(const Trace& trace) {
   FlightFigures figures;
   figures.rows = trace.rowCount();
@@ -338,6 +356,7 @@ FlightFigures flightFigures(const Trace& trace) {
   figures.apart_m = greatestDistance(trace);
   figures.energy = energyOf(trace, figures.duration_s);
   measureStates(trace, time, figures);
+  measureSleep(trace, figures);
   for (const support::TraceEvent& event : trace.events) {
     ++figures.events[kindOf(event)];
   }

@@ -57,6 +57,8 @@ struct FlightFigures {
   double layered_s = 0;              ///< time in which the SBC did not command the vehicle
   double stateless_s =
       0;  ///< time in which the SBC was in control without a state: a mission written in C
+  size_t sleeps = 0;                     ///< of the SBC
+  double asleep_s = 0;                   ///< in them
   std::map<std::string, size_t> events;  ///< count by kind
 };
 

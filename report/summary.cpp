@@ -145,6 +145,11 @@ std::string figureLines(const FlightFigures& figures) {
   if (!figures.energy.at_most.empty()) {
     line("  bound", boundText(figures.energy));
   }
+  if (figures.sleeps > 0) {
+    line("SBC asleep", fmt::format("{} of the flight, {} time{}",
+                                   percentText(figures.asleep_s / figures.duration_s),
+                                   figures.sleeps, figures.sleeps == 1 ? "" : "s"));
+  }
   if (std::isfinite(figures.warmest_degC)) {
     line("temperature",
          fmt::format("{:.1f} to {:.1f} degC", figures.coldest_degC, figures.warmest_degC));

@@ -65,6 +65,12 @@ std::string whyRefused(const hooks::SeatEvent& event) {
                      name != nullptr ? name : fmt::format("{}", bit));
 }
 
+/// Why hookprog wakes the SBC.
+std::string whyWoken(const hooks::SeatEvent& event) {
+  const char* why = hooks::napEndText(event.a);
+  return why != nullptr ? why : "";
+}
+
 /// "goto, always case 3"
 std::string howText(const hooks::SeatEvent& event) {
   const char* word = hooks::transitionWord(event.a);
@@ -182,6 +188,12 @@ bool MissionStory::follow(double now_s, double cycle_s, SimulatedSeat& seat, Jou
         break;
       case Kind::StaleFrame:
         journal.add(now_s, EventId::FramesRepeated, {number}, "they have an earlier time");
+        break;
+      case Kind::SbcNap:
+        journal.add(now_s, EventId::SbcSleeps, {number});
+        break;
+      case Kind::SbcWoken:
+        journal.add(now_s, EventId::SbcWoken, {static_cast<double>(event.b)}, whyWoken(event));
         break;
     }
   }

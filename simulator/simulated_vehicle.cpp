@@ -184,7 +184,7 @@ void SimulatedVehicle::step(double now) {
   }
   link_.pump(now);
   serveModem(now);
-  vehicle_.feedSbc(link_.hasPower());
+  vehicle_.feedSbc(link_.hasPower(), seat_->sbcMaySleep());
   seat_->steer(now, vehicle_);
   vehicle_.step(world_.ocean(), now);
   bottom_.look(now + Vehicle::kStep, vehicle_.depth(),

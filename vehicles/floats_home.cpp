@@ -38,8 +38,8 @@ class FloatsHome final : public OwnMission {
       const ir::WrittenWorld& /*world*/) const override {
     return std::nullopt;
   }
-  [[nodiscard]] WayHome wayHomeFrom(double depth_m,
-                                    const platforms::Platform& platform) const override {
+  [[nodiscard]] WayHome wayHomeFrom(double depth_m, const ir::WrittenWorld& world) const override {
+    const platforms::Platform& platform = world.platform;
     const double lets_go_s = letsGoWithin(floats_.timeout_s, platform);
     return {lets_go_s, depth_m,
             lets_go_s + platform.world.turn_s + depth_m / platform.world.slowest_climb_m_s,
@@ -57,7 +57,7 @@ class FloatsHome final : public OwnMission {
 
 std::vector<std::string> FloatsHome::wayHomeLines(const ir::WidestWorld& world) const {
   const auto depths = ir::prove::deepestByState(ir::prove::ProofContext(world));
-  const WayHome home = wayHomeFrom(std::ranges::max(depths), world.platform);
+  const WayHome home = wayHomeFrom(std::ranges::max(depths), {world.mission, world.platform});
   const std::string lets_go =
       fmt::format("if the SBC stops responding, the vehicle {} within {:.0f} s ({})", floats_.first,
                   home.lets_go_s, home.source);

@@ -61,9 +61,9 @@ class OwnMission {
   /// A line for the report if it ends a mission whose end is not proved.
   [[nodiscard]] virtual std::optional<std::string> endlessLine(
       const ir::WrittenWorld& world) const = 0;
-  /// From a depth of at most `depth_m`, the deepest that commands lead to.
+  /// From a depth of at most `depth_m`, the deepest that commands of the mission lead to.
   [[nodiscard]] virtual WayHome wayHomeFrom(double depth_m,
-                                            const platforms::Platform& platform) const = 0;
+                                            const ir::WrittenWorld& world) const = 0;
   /// Lines for the report: the way home of a mission, and of states where it is shorter.
   [[nodiscard]] virtual std::vector<std::string> wayHomeLines(
       const ir::WidestWorld& world) const = 0;

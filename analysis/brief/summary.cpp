@@ -6,6 +6,7 @@
 #include "analysis/brief/in_words.h"
 #include "analysis/brief/written.h"
 #include "ir/prove/context/duration_text.h"
+#include "ir/worlds/naps.h"
 #include "support/listed.h"
 
 #include <fmt/format.h>
@@ -79,9 +80,9 @@ std::string stack(const compiler::Checked& checked) {
                      waiting == 1 ? "" : "s", waiting == 1 ? "s" : "", fmt::join(path, " calls "));
 }
 
-std::string wayHome(const platforms::Platform& platform, const vehicles::OwnMission& own,
+std::string wayHome(const compiler::Checked& checked, const vehicles::OwnMission& own,
                     double deepest_m) {
-  const vehicles::WayHome home = own.wayHomeFrom(deepest_m, platform);
+  const vehicles::WayHome home = own.wayHomeFrom(deepest_m, checked.worlds.written);
   const std::string source = home.source.substr(0, home.source.find("; see"));  // no options
   const std::string takes_over =
       fmt::format("If the payload computer (SBC) fails, the vehicle {} within {}", home.lets_go,
@@ -99,9 +100,21 @@ std::string powerCuts(const ir::Mission& mission) {
           : "";
   return fmt::format(
       "After a power cut of the payload computer, the mission continues if its program keeps "
-      "checkpoints and runs again within {} of the newest, which is at most 20 s old; later, the "
+      "checkpoints and runs again within {} of the newest, which is at most 20 s old{}; later, the "
       "vehicle keeps control.{}",
-      durationOf(mission.resume_within_s), after_restart);
+      durationOf(mission.resume_within_s),
+      mission.nap_s ? fmt::format(", in a nap up to {} older", durationOf(*mission.nap_s)) : "",
+      after_restart);
+}
+
+std::string naps(const ir::Mission& mission) {
+  return mission.nap_s
+             ? fmt::format(
+                   "The payload computer sleeps for up to {} at a time, where nothing that is "
+                   "foreseen can change what the mission does; what it decides at the end of a nap "
+                   "comes up to {:.0f} s later, and its log then has all ticks.",
+                   durationOf(*mission.nap_s), ir::kNapLag_s)
+             : "";
 }
 
 std::string batteries(const ir::Mission& mission) {
@@ -133,8 +146,9 @@ std::vector<std::string> summaryOf(const compiler::Checked& checked,
   all.push_back(stack(checked));
   all.push_back(own == nullptr
                     ? "What the vehicle does if the payload computer (SBC) fails is not known."
-                    : wayHome(checked.platform(), *own, deepest_m));
+                    : wayHome(checked, *own, deepest_m));
   all.push_back(powerCuts(checked.mission()));
+  all.push_back(naps(checked.mission()));
   all.push_back(batteries(checked.mission()));
   std::erase(all, "");
   return all;
@@ -154,8 +168,9 @@ std::string assumptionsOf(const platforms::Platform& platform, const ir::Mission
       "to {}.",
       world.start_depth_m, envelope.vertical_rate_m_s, world.slowest_climb_m_s, world.turn_s,
       envelope.inflection_overshoot_m, world.depth_error_m, world.through_water_m_s,
-      envelope.drift_m_s, world.surface_drift_m_s, world.line_lag_s + envelope.cycle_s,
-      world.tick_gap_s, durationOf(mission.resume_within_s));
+      envelope.drift_m_s, world.surface_drift_m_s,
+      world.line_lag_s + envelope.cycle_s + world.command_delay_s, world.tick_gap_s,
+      durationOf(mission.resume_within_s));
   std::string own;
   const bool unwatched = !std::ranges::all_of(mission.assumptions, &ir::Assumption::isWatched);
   for (const ir::Assumption& assumption : mission.assumptions) {

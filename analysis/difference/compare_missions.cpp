@@ -105,6 +105,9 @@ class Comparison {
                              old_.m.new_after_restart ? "is over" : "continues",
                              new_.m.new_after_restart ? "is over" : "continues"));
     }
+    if (old_.m.nap_s != new_.m.nap_s) {
+      lines.push_back(change("nap at most", napText(old_.m), napText(new_.m)));
+    }
     if (old_.m.pack != new_.m.pack) {
       lines.push_back(change("pack", packText(old_.m), packText(new_.m)));
     }
@@ -118,6 +121,10 @@ class Comparison {
     }
     part("mission", std::move(lines));
     part("conditions of parameters", conditions());
+  }
+
+  static std::string napText(const ir::Mission& m) {
+    return m.nap_s ? fmt::format("{:.6g} s", *m.nap_s) : "none";
   }
 
   static std::string packText(const ir::Mission& m) {

@@ -126,6 +126,7 @@ int loadMissions(const campaign::CampaignOptions& options, campaign::CampaignPla
       }
     }
     const std::string batteries = flights::carryPack(compiled->mission, *scenario);
+    (void)flights::allowNaps(compiled->mission, platform, *scenario);
     tell(batteries.empty() || !plan.missions.empty() ? "" : "glidercc: note: " + batteries + "\n");
     if (options.duration_s) {
       const std::string note = flights::setDuration(*scenario, platform, *options.duration_s);

@@ -206,6 +206,7 @@ Result<ReadyFleet> readyFleet(const flights::Fleet& fleet, const std::string& on
       return std::unexpected(scenario.error());
     }
     (void)flights::carryPack(mission->mission, *scenario);
+    (void)flights::allowNaps(mission->mission, mission->platform(), *scenario);
     if (number == 0) {
       ready.world = *scenario;
       ready.seed = fleet.seed.value_or(scenario->seed);

@@ -56,6 +56,11 @@ std::vector<Line> linesOf(const Power& power, const std::optional<platforms::Boa
     lines.push_back({fmt::format("{} ({})", platforms::kSbcDevice, board->name),
                      "while a mission runs", fmt::format("{:.4g} W", board->power->running_W),
                      spreadText(board->power->spread), board->power->source});
+    if (const auto& sleep = board->power->sleep) {
+      lines.push_back({"", fmt::format("while it naps; it wakes in {:.4g} s", sleep->wake_s),
+                       fmt::format("{:.4g} W", sleep->asleep_W), spreadText(board->power->spread),
+                       ""});
+    }
   }
   return lines;
 }
@@ -132,6 +137,10 @@ ordered_json powerJson(const Platform& platform, const std::optional<platforms::
                   {"running_W", board->power->running_W},
                   {"spread", board->power->spread},
                   {"source", board->power->source}};
+    if (const auto& sleep = board->power->sleep) {
+      out["sbc"]["asleep_W"] = sleep->asleep_W;
+      out["sbc"]["wake_s"] = sleep->wake_s;
+    }
   }
   return out;
 }

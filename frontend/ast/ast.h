@@ -517,6 +517,13 @@ struct Resumption {
   bool operator==(const Resumption&) const = default;
 };
 
+/// `nap at most 4 min`: how long the SBC may sleep between two ticks.
+struct Nap {
+  Expr longest;
+  Where where;
+  bool operator==(const Nap&) const = default;
+};
+
 /// The angle of magnetic north from true north, east positive.
 struct Declination {
   Expr angle;
@@ -599,10 +606,10 @@ struct Import {
   bool operator==(const Import&) const = default;
 };
 
-using Item =
-    std::variant<MissionLine, PlatformLine, Import, Const, Param, Var, Always, State, Behaviour,
-                 ExternFunction, ExternBehaviour, ExternSensor, PlaceDeclaration, Requirement,
-                 Assumption, Resumption, Declination, Share, Vehicles, Pack, Choice, Preference>;
+using Item = std::variant<MissionLine, PlatformLine, Import, Const, Param, Var, Always, State,
+                          Behaviour, ExternFunction, ExternBehaviour, ExternSensor,
+                          PlaceDeclaration, Requirement, Assumption, Resumption, Nap, Declination,
+                          Share, Vehicles, Pack, Choice, Preference>;
 
 /// A mission file or a library file.
 struct File {

@@ -137,6 +137,7 @@ class FilePrinter {
     return print(p.condition) + (p.inside ? " " + print(*p.inside) : "");
   }
 
+  void write(const Nap& n) { line("nap at most " + print(n.longest)); }
   void write(const Resumption& n) {
     line("resume within " + print(n.within) +
          (n.never_after_restart ? ", never after restart" : ""));

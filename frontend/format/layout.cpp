@@ -55,11 +55,17 @@ class Layout {
     lines_.push_back({at_, at_, indent, indent, false});
   }
 
+  /// `nap at most …`; `nap` alone is a name in many missions.
+  [[nodiscard]] bool startsNap() const {
+    return token().is("nap") && at_ + 2 < tokens_.size() && tokens_[at_ + 1].is("at") &&
+           tokens_[at_ + 2].is("most");
+  }
+
   /// True at a line such as `declination -12 deg`, `assume no outage` or `pack 168 Ah at 14.4 V`:
   /// where a value or a name is expected, the word is a name.
   [[nodiscard]] bool softItem() const {
-    return tokenIsOneOf(token(), {"declination", "assume", "share", "vehicles", "pack", "choose",
-                                  "prefer"}) &&
+    return (startsNap() || tokenIsOneOf(token(), {"declination", "assume", "share", "vehicles",
+                                                  "pack", "choose", "prefer"})) &&
            !after({"mission", "platform", "const",    "param", "var",    "function", "sensor",
                    "=",       "+",        "-",        "*",     "/",      "(",        ",",
                    "[",       "in",       "..",       "where", "<",      "<=",       ">",

@@ -84,6 +84,8 @@ ast::Item AstBuilder::item(Parser::ItemContext* rule) {
       return assumption(static_cast<Parser::AssumptionContext*>(child));
     case GliderParser::RuleResumption:
       return resumption(static_cast<Parser::ResumptionContext*>(child));
+    case GliderParser::RuleNap:
+      return ast::Nap{expr(static_cast<Parser::NapContext*>(child)->expr()), where(child)};
     case GliderParser::RuleDeclination:
       return ast::Declination{expr(static_cast<Parser::DeclinationContext*>(child)->expr()),
                               where(child)};

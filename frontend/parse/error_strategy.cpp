@@ -327,17 +327,20 @@ void ErrorStrategy::complainOfSample(const Lexeme& found) {
 void ErrorStrategy::complainOfItem(const Lexeme& found) {
   if (!misspelled(found, {"mission", "platform", "import", "const", "param", "var", "always",
                           "state", "flightprofile", "flightroute", "extern", "require", "place",
-                          "resume", "declination", "pack", "choose", "prefer"})) {
+                          "resume", "declination", "pack", "choose", "prefer", "nap"})) {
     expected("`state` or another declaration", found);
   }
 }
 
-/// A line of energy: the batteries, what is to be chosen and what is preferred. A range is missing
-/// only where something is to be chosen.
+/// A line of energy: the batteries, how long the SBC may sleep, what is to be chosen and what is
+/// preferred. A range is missing only where something is to be chosen.
 void ErrorStrategy::complainOfLine(antlr4::Parser* parser, size_t rule, const Lexeme& found) {
   const auto set = parser->getExpectedTokens();
   if (rule == GliderParser::RulePack) {
     return expected("`at` and the voltage, as in `pack 168 Ah at 14.4 V`", found);
+  }
+  if (rule == GliderParser::RuleNap) {
+    return expected("`at most` and a time, as in `nap at most 4 min`", found);
   }
   if (rule == GliderParser::RulePreference || rule == GliderParser::RuleObjective) {
     return expected("`least` or `greatest` and a value, or `endurance`", found);
@@ -360,10 +363,9 @@ void ErrorStrategy::complainInRule(antlr4::Parser* parser, size_t rule, const Le
     case GliderParser::RuleArgument:
     case GliderParser::RuleExpr:
     case GliderParser::RulePrimary:
-      if (last == GliderParser::NUMBER) {
-        return expected("an operator, or the end of the value", lexemeOf(before));
-      }
-      return expected(last == GliderParser::CASE ? "a condition" : "a value", found);
+      return last == GliderParser::NUMBER
+                 ? expected("an operator, or the end of the value", lexemeOf(before))
+                 : expected(last == GliderParser::CASE ? "a condition" : "a value", found);
     case GliderParser::RuleArguments:
       if (parser->getExpectedTokens().contains(size_t{GliderParser::LPAREN}) &&
           last != GliderParser::LPAREN && last != GliderParser::COMMA) {
@@ -377,6 +379,7 @@ void ErrorStrategy::complainInRule(antlr4::Parser* parser, size_t rule, const Le
     case GliderParser::RulePattern:
       return complainOfPromise(last, found);
     case GliderParser::RulePack:
+    case GliderParser::RuleNap:
     case GliderParser::RuleRange:
     case GliderParser::RuleChoice:
     case GliderParser::RulePreference:

@@ -62,14 +62,20 @@ class OutlineReader {
   [[nodiscard]] uint32_t type(size_t k) const { return peek(k).type; }
   [[nodiscard]] uint32_t before() const { return at_ == 0 ? kEof : lexemes_[at_ - 1].type; }
 
-  /// `resume within …`, `declination …`, `assume …`, `pack …`, `place NAME = …`
+  /// `resume within …`, `declination …`, `assume …`, `pack …`, `nap at most …`, `place NAME = …`
   [[nodiscard]] bool startsSoftItem() const {
     return (type(0) == GliderLexer::RESUME && type(1) == GliderLexer::WITHIN) || startsShare() ||
-           startsVehicles() ||
+           startsVehicles() || startsNap() ||
            (oneOf(type(0), {GliderLexer::DECLINATION, GliderLexer::ASSUME, GliderLexer::PACK}) &&
             endsValue(before())) ||
            startsChoice() || startsPreference() ||
            (type(0) == GliderLexer::PLACE && isAnyName(type(1)) && type(2) == GliderLexer::ASSIGN);
+  }
+
+  /// `nap at most …`, but not of `visit nap at most 3 times`
+  [[nodiscard]] bool startsNap() const {
+    return type(0) == GliderLexer::NAP && type(1) == GliderLexer::AT &&
+           type(2) == GliderLexer::MOST && endsValue(before()) && before() != GliderLexer::VISIT;
   }
 
   /// `choose NAME : …`

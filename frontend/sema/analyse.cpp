@@ -6,6 +6,7 @@
 #include "frontend/sema/declarations/declarations.h"
 #include "frontend/sema/declarations/lower_assumption.h"
 #include "frontend/sema/declarations/lower_declination.h"
+#include "frontend/sema/declarations/lower_nap.h"
 #include "frontend/sema/declarations/lower_pack.h"
 #include "frontend/sema/declarations/lower_requirement.h"
 #include "frontend/sema/declarations/lower_resumption.h"
@@ -64,6 +65,7 @@ std::optional<ir::Mission> analyse(const ast::File& mission, const AnalysisInput
   lowerRequirements(mission, scope);
   lowerAssumptions(mission, scope);
   lowerResumption(mission, scope);
+  lowerNap(mission, scope);
   lowerCompass(mission, scope);
   finishShares(mission, scope);
   finishVehicles(scope);

@@ -33,6 +33,7 @@ ClientEvent Client::poll(const GliderByteStream& stream, const GliderClock& cloc
       // would stop while they arrive.
       last_tick_s_ = now;
     }
+    silence_s_ = event == ClientEvent::Tick ? kSilenceSecs : silence_s_;
     heard_ = true;
     return event;
   }
@@ -41,8 +42,9 @@ ClientEvent Client::poll(const GliderByteStream& stream, const GliderClock& cloc
   }
   // Before the first frame there is no mission time to continue from, and it is not yet known
   // whether time is virtual.
-  if (heard_ && !virtual_time_ && now - last_tick_s_ >= kSilenceSecs) {
+  if (heard_ && !virtual_time_ && now - last_tick_s_ >= silence_s_) {
     last_tick_s_ = now;
+    silence_s_ = kSilenceSecs;
     return ClientEvent::SilentLink;
   }
   return ClientEvent::Nothing;
@@ -64,6 +66,7 @@ ClientEvent Client::handle(const Frame& frame, const GliderByteStream& stream) {
     case MessageType::Transition:
     case MessageType::Done:
     case MessageType::Note:
+    case MessageType::Nap:
     case MessageType::Log:
       break;  // not addressed to the SBC; perhaps an echo of its own frames
   }
@@ -156,6 +159,7 @@ void Client::takeTick(const TickHead& head) {
   tick_.answered_sequence = head.answered_sequence;
   tick_.session = head.session;
   tick_.clock_s = head.clock_s;
+  tick_.kept = head.kept;
   tick_.reading_count = 0;
 }
 
@@ -199,7 +203,8 @@ void Client::followInstruction() {
   if (waiting_) {
     lookForAnswer();
   }
-  const bool heard = !waiting_ || unwritten || settled_ != last_settled_;
+  // A tick that was kept was made before the vehicle could answer anything.
+  const bool heard = !waiting_ || unwritten || settled_ != last_settled_ || tick_.kept;
   unanswered_ticks_ = heard ? 0 : unanswered_ticks_ + 1;
   last_settled_ = settled_;
   tick_.unanswered_ticks = unanswered_ticks_;
@@ -274,6 +279,18 @@ void Client::tell(const MissionNote& note) {
   if (note_count_ < kMostNotes) {
     notes_[note_count_++] = note;
   }
+}
+
+bool Client::nap(const Nap& nap) {
+  const bool is_alone = !resubscribe_ && !due_ && notice_count_ == 0 && note_count_ == 0;
+  const bool sent = must_answer_ && mayNap() && is_alone;
+  if (sent) {
+    Frame frame;
+    encode(nap, frame);
+    queue(frame);
+    silence_s_ = kSilenceSecs + kLateSecs + nap.length_s + nap.wake_s;
+  }
+  return sent;
 }
 
 ClientPart Client::brokenPart() const {

@@ -6,6 +6,7 @@
 #include "hooks/protocol/frame_reader.h"
 #include "hooks/protocol/instruction.h"
 #include "hooks/protocol/messages.h"
+#include "hooks/protocol/nap.h"
 #include "hooks/protocol/send_queue.h"
 #include "hooks/protocol/sensor_list.h"
 #include "hooks/protocol/tick.h"
@@ -30,6 +31,7 @@ struct VehicleTick {
   uint16_t answered_sequence = 0;
   uint32_t session = 0;  ///< in control, 0 for none
   uint32_t clock_s = 0;  ///< the vehicle's clock, s since 1970; 0: unknown
+  bool kept = false;     ///< during a nap of this program: newer ones follow at once
   /// The vehicle obeys this program: the session in control is that of its newest Take.
   bool obeys_us = false;
   /// Number under which the newest instruction is sent from now on, 0 before the first. It differs
@@ -58,8 +60,8 @@ enum class ClientEvent : uint8_t {
   Nothing,     ///< no complete frame is there
   Handled,     ///< the client processed and answered a frame itself (a Beacon, a Welcome)
   Tick,        ///< tick() is new: the caller must call done()
-  SilentLink,  ///< no whole tick for 12 s of the SBC's own clock (never in virtual time): a tick of
-               ///< the clock alone
+  SilentLink,  ///< no whole tick for 12 s of the SBC's own clock, after a nap was ordered 12 s more
+               ///< than that (never in virtual time): a tick of the clock alone
   Refused,     ///< another protocol version or sensor dictionary, or a feature is missing;
                ///< reported once for each: see refusal()
   Closed,      ///< the stream's other end is gone
@@ -119,6 +121,15 @@ class Client {
   /// Sends a note after everything more important; a note for which the line has no room is
   /// dropped.
   void tell(const MissionNote& note);
+  /// Adds to the answer of the current tick the order to keep ticks while this program sleeps; it
+  /// is dropped between ticks, unless mayNap(), and if anything else was added to the answer or
+  /// waits for one. Returns whether it was added. The
+  /// vehicle may have reasons not to follow: then ticks come as ever.
+  bool nap(const Nap& nap);
+  /// True while there is a link, of a program that needs naps: such a vehicle offers them.
+  [[nodiscard]] bool mayNap() const {
+    return linked_ && (options_.features.needs & kFeatureNaps) != 0;
+  }
   /// Continues `session` of the program that this one replaces; its newest instruction had the
   /// number `sequence`. 0: no session, and the next Take opens a newer one. The session is claimed
   /// again with the next instruction.
@@ -140,8 +151,10 @@ class Client {
   static constexpr uint32_t kMostNotices = 8;
   static constexpr uint32_t kMostNotes = 8;
   /// Seconds of the SBC's own clock without a whole tick that make a SilentLink; again after each
-  /// further such time.
+  /// further such time. While asleep, the nap and its time to wake are added.
   static constexpr double kSilenceSecs = 12;
+  /// So much later a nap may end if the vehicle's cycles do not come.
+  static constexpr double kLateSecs = 24;
 
  private:
   ClientEvent handle(const Frame& frame, const GliderByteStream& stream);
@@ -175,6 +188,7 @@ class Client {
 
   bool heard_ = false;  // a start time for counting silence is set
   double last_tick_s_ = 0;
+  double silence_s_ = kSilenceSecs;  // until a SilentLink
   bool linked_ = false;
   bool virtual_time_ = false;
   Refusal refusal_;

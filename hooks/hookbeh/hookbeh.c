@@ -54,13 +54,22 @@ static void loseSession(Hookbeh* hookbeh) {
 
 static void watchHeartbeat(Hookbeh* hookbeh, double heartbeat) {
   uint32_t beat = 0;
-  const bool there = hookIsWhole(heartbeat, 0, kHookMostSession, &beat);
+  const bool there = hookIsWhole(hookMagnitude(heartbeat), 0, kHookMostSession, &beat);
   // While an SBC is in control only a newer heartbeat counts: a repeated earlier one must not keep
   // a dead session alive. Otherwise any heartbeat is the one to count from, whichever number
   // hookprog began with.
-  if (there &&
-      (hookbeh->state != kHookStateActive || hookIsNewerSession(beat, hookbeh->heartbeat))) {
-    hookbeh->heartbeat = beat;
+  const bool newer =
+      there && (hookbeh->state != kHookStateActive || hookIsNewerSession(beat, hookbeh->heartbeat));
+  // Of a sleeping SBC, hookprog knows only that it has ordered a nap: that counts for so long.
+  const bool own = newer && heartbeat >= 0;
+  const uint8_t kind = own ? 0 : (uint8_t)(1 + beat % 2);
+  // Another nap: the SBC's own heartbeat in between is lost, but came after the one before this.
+  const bool missed = newer && kind != 0 && hookbeh->beat_kind != 0 && kind != hookbeh->beat_kind;
+  hookbeh->beat_kind = newer ? kind : hookbeh->beat_kind;
+  hookbeh->heartbeat = newer ? beat : hookbeh->heartbeat;
+  hookbeh->nap_s = missed ? hookbeh->silence_s : hookbeh->nap_s;
+  hookbeh->nap_s = own ? 0 : hookbeh->nap_s + hookbeh->clock.step_s;
+  if (own || (newer && hookbeh->nap_s < hookbeh->args.nap_secs)) {
     hookbeh->silence_s = 0;
   } else {
     hookbeh->silence_s += hookbeh->clock.step_s;
@@ -79,6 +88,7 @@ static HookAnswer takeControl(Hookbeh* hookbeh, const HookInstruction* instructi
     hookbeh->state = kHookStateActive;
     hookbeh->session = instruction->session;
     hookbeh->silence_s = 0;
+    hookbeh->nap_s = 0;
     hookbehGuardReset(&hookbeh->guard);
     hookPilotBegin(&hookbeh->pilot, instruction);
   }
@@ -241,5 +251,6 @@ void hookbehCycle(Hookbeh* hookbeh, const HookbehInputs* inputs, HookbehOutputs*
   outputs->answered_sequence = hookbeh->answered_sequence;
   outputs->answer = hookbeh->answer;
   outputs->session = hookbeh->session;
+  outputs->nap_secs = hookbeh->args.nap_secs;
   outputs->masked = outputs->commanding ? masked : 0;
 }

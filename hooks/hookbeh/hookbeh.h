@@ -27,7 +27,7 @@ typedef struct HookbehInputs {
   double altitude_m GLIDER_IS(0);
   double latitude_ddmm GLIDER_IS(0);
   double longitude_ddmm GLIDER_IS(0);
-  double heartbeat GLIDER_IS(0);
+  double heartbeat GLIDER_IS(0);  ///< negative: hookprog gives it for an SBC that sleeps
   // What the others are compared with; a vehicle may lack any of them.
   double wall_time_s GLIDER_IS(hookUnknown());   ///< m_present_time
   double cycle_number GLIDER_IS(hookUnknown());  ///< m_cycle_number
@@ -58,6 +58,7 @@ typedef struct HookbehOutputs {
   uint16_t answered_sequence GLIDER_IS(0);
   HookAnswer answer GLIDER_IS(HookAnswer::None);
   uint32_t session GLIDER_IS(0);
+  double nap_secs GLIDER_IS(0);                   ///< its b_arg, x_hook_nap_secs
   HookDoing doing GLIDER_IS(HookDoing::Nothing);  ///< for logs
   HookGuard guard GLIDER_IS(HookGuard::None);     ///< why it climbs against any instruction of the
                                                   ///< SBC
@@ -78,13 +79,16 @@ typedef struct Hookbeh {
   HookbehGuard guard;
   HookPilot pilot;
   HookCycleClock clock;
-  bool guarding;             ///< in the previous cycle
-  bool checked;              ///< it climbed then only to check the depth
-  bool masked;               ///< pitch or pump were not its own
+  bool guarding;  ///< in the previous cycle
+  bool checked;   ///< it climbed then only to check the depth
+  bool masked;    ///< pitch or pump were not its own
+  /// Of the newest heartbeat: 0 of the SBC itself; in its place 1, with an odd number 2.
+  uint8_t beat_kind;
   HookVerticalCommand last;  ///< it commanded then; pump NaN: nothing
 
   uint32_t heartbeat;  ///< the newest seen, 0 for none
   double silence_s;    ///< since it last advanced
+  double nap_s;        ///< since it last came from the SBC itself
   double garbled_s;    ///< how long an instruction in the sensor array has been unreadable
 
   bool settled_known;

@@ -49,4 +49,5 @@ void hookbehWithin(const HookbehArgs* args, const HookHull* hull, HookbehArgs* o
                            ? hull->pump_cc
                            : hookBetween(climb, kLeastClimbShare * hull->pump_cc, hull->pump_cc);
   out->silence_secs = hookAtMost(kHookbehMostSilenceSecs, args->silence_secs);
+  out->nap_secs = hookAtMost(kHookbehMostNapSecs, args->nap_secs);  // NaN stays: no naps
 }

@@ -25,6 +25,8 @@ typedef struct HookHull {
 /// s; the longest wait for an SBC. Meanwhile the vehicle follows the last instruction of an SBC
 /// that may be dead.
 enum { kHookbehMostSilenceSecs = 600 };
+/// s; the longest that hookprog may vouch for an SBC that sleeps.
+enum { kHookbehMostNapSecs = 3660 };
 
 /// Into `out` the `args` narrowed to the hull, each to the safer of the two. Pump, battery, pitch
 /// and fin values that are not numbers are replaced by their defaults; the sign of a pump value
@@ -38,6 +40,7 @@ GLIDER_HOOKS_END
 namespace glider::hooks {
 using Hull = ::HookHull;
 inline constexpr double kMostSilenceSecs = kHookbehMostSilenceSecs;
+inline constexpr double kMostNapSecs = kHookbehMostNapSecs;
 inline HookbehArgs within(const HookbehArgs& args, const Hull& hull) {
   HookbehArgs out;
   hookbehWithin(&args, &hull, &out);

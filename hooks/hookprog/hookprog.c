@@ -8,13 +8,16 @@
 #include "hooks/protocol/numbers.h"
 
 static const GliderRole kReportsOfHookbeh[] = {kGliderRoleHookState, kGliderRoleHookAnswered,
-                                               kGliderRoleHookAnswer, kGliderRoleHookInControl};
+                                               kGliderRoleHookAnswer, kGliderRoleHookInControl,
+                                               kGliderRoleHookNapSecs};
 
-/// With the commands that hookbeh obeys beyond those of every version.
+/// With what hookbeh can do beyond what every version can: commands that it obeys, naps.
 static void withHookbeh(const GliderDictionary* dictionary, HookSeatOptions* options) {
   const bool samples = hookSensorOf(dictionary, kGliderRoleHookSampling) != kHookNoSensor;
   options->obeys |= kHookFeatureFixedFin | kHookFeatureActuators;
   options->obeys |= samples ? kHookFeatureSampling : 0;
+  const bool naps = hookSensorOf(dictionary, kGliderRoleHookNapSecs) != kHookNoSensor;
+  options->obeys |= naps ? kHookFeatureNaps : 0;
 }
 
 void hookprogInit(Hookprog* hookprog, const GliderDictionary* dictionary,
@@ -50,6 +53,12 @@ static HookState stateOfHookbeh(const Hookprog* hookprog) {
   return state <= kHookStateComplete ? (HookState)state : kHookStateAbsent;
 }
 
+/// The longest nap that hookbeh allows, s; NaN while it has not reported it.
+static double napSecs(const Hookprog* hookprog) {
+  const uint16_t id = sensor(hookprog, kGliderRoleHookNapSecs);
+  return id != kHookNoSensor ? hookprog->values[id] : hookUnknown();
+}
+
 static double missionTime(const Hookprog* hookprog) {
   const double time = newest(hookprog, kGliderRoleMissionTime);
   return time == time ? time : 0;
@@ -64,6 +73,7 @@ static void fillState(const Hookprog* hookprog, HookSeatState* state) {
   state->session = newestWhole(hookprog, kGliderRoleHookInControl);
   const double clock = newest(hookprog, kGliderRoleClock);
   state->clock_s = clock >= 1 && clock < UINT32_MAX ? (uint32_t)clock : 0;
+  state->nap_secs = napSecs(hookprog);
 }
 
 /// What the seat asks for: HookSeatVehicle.
@@ -110,11 +120,13 @@ static void forward(void* self, const HookSensorList* instruction) {
   endSampling(hookprog, instruction);
 }
 
-static void passBeat(void* self, uint32_t heartbeat) {
+/// The sign tells hookbeh whether the SBC itself has answered, or sleeps.
+static void passBeat(void* self, uint32_t heartbeat, bool asleep) {
   const Hookprog* hookprog = self;
+  const double number = heartbeat;
   if (stateOfHookbeh(hookprog) != kHookStateAbsent) {
     hookprog->memory->set(hookprog->memory->self, sensor(hookprog, kGliderRoleHookHeartbeat),
-                          heartbeat);
+                          asleep ? -number : number);
   }
 }
 
@@ -180,6 +192,17 @@ static void takeAnswer(Hookprog* hookprog) {
   }
 }
 
+static void forgetHookbeh(Hookprog* hookprog) {
+  for (uint32_t i = 0; i < sizeof kReportsOfHookbeh / sizeof kReportsOfHookbeh[0]; ++i) {
+    const uint16_t id = sensor(hookprog, kReportsOfHookbeh[i]);
+    if (id != kHookNoSensor) {
+      hookprog->values[id] = hookUnknown();
+    }
+  }
+  hookprog->answered_sequence = 0;
+  hookprog->answer = kHookAnswerNone;
+}
+
 /// The vehicle's next mission may have no hookbeh; the last values that hookbeh reported then
 /// remain in place. Time and cycle number both restart with a new mission; if only one does, it is
 /// a false reading.
@@ -195,11 +218,7 @@ static void watchHookbeh(Hookprog* hookprog) {
     hookprog->cycles_without_hookbeh = 0;
     hookprog->most_without_hookbeh = kHookprogMostCyclesWithoutHookbeh;
   } else if (++hookprog->cycles_without_hookbeh >= hookprog->most_without_hookbeh) {
-    for (uint32_t i = 0; i < sizeof kReportsOfHookbeh / sizeof kReportsOfHookbeh[0]; ++i) {
-      hookprog->values[sensor(hookprog, kReportsOfHookbeh[i])] = hookUnknown();
-    }
-    hookprog->answered_sequence = 0;
-    hookprog->answer = kHookAnswerNone;
+    forgetHookbeh(hookprog);
   }
 }
 
@@ -236,6 +255,10 @@ void hookprogRun(Hookprog* hookprog, double science_time_s, const HookScienceMem
   }
   hookSeatFinish(&hookprog->seat, sbc, 0);
   hookprog->memory = NULL;
+}
+
+bool hookprogWantsSbc(const Hookprog* hookprog) {
+  return hookSeatWantsSbc(&hookprog->seat);
 }
 
 bool hookprogNextEvent(Hookprog* hookprog, HookSeatEvent* event) {

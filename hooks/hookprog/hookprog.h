@@ -75,6 +75,8 @@ void hookprogInit(Hookprog* hookprog, const GliderDictionary* dictionary,
 /// back. `sbc`: the line to the SBC.
 void hookprogRun(Hookprog* hookprog, double science_time_s, const HookScienceMemory* memory,
                  const GliderByteStream* sbc);
+/// False while the SBC sleeps: a line that wakes it, as a level, follows this. HookSeat says more.
+bool hookprogWantsSbc(const Hookprog* hookprog);
 /// Takes the oldest event. False, and an event without a kind, when there is none.
 bool hookprogNextEvent(Hookprog* hookprog, HookSeatEvent* event);
 
@@ -98,6 +100,7 @@ class Hookprog {
     (void)hookprogNextEvent(&hookprog_, &event);
     return event;
   }
+  [[nodiscard]] bool wantsSbc() const { return hookprogWantsSbc(&hookprog_); }
   /// The mission's last heartbeat, for the trace.
   [[nodiscard]] const SbcView& sbc() const { return hookprog_.seat.view; }
 

@@ -10,8 +10,8 @@
 /// How the encoders and decoders of messages begin and end.
 GLIDER_HOOKS_BEGIN
 
-/// Flags of Beacon, Welcome and Tick.
-enum { kHookFlagVirtualTime = 4 };
+/// Flags of Welcome and Tick; kept: of a Tick alone.
+enum { kHookFlagVirtualTime = 4, kHookFlagKept = 8 };
 
 GLIDER_INLINE HookByteWriter hookStartPayload(HookFrame* frame, HookMessageType type) {
   frame->type = type;

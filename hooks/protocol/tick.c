@@ -75,7 +75,8 @@ static bool isSubscription(const GliderDictionary* dictionary, const HookSubscri
 }
 
 static void writeHead(HookByteWriter* out, const HookTickHead* head) {
-  hookWriteU8(out, head->virtual_time ? kHookFlagVirtualTime : 0);
+  hookWriteU8(out,
+              (head->virtual_time ? kHookFlagVirtualTime : 0U) | (head->kept ? kHookFlagKept : 0U));
   hookWriteU24(out, head->link);
   hookWriteF32(out, (float)head->vehicle_time_s);
   hookWriteU24(out, head->cycle);
@@ -147,10 +148,25 @@ void hookEncodeTick(const GliderDictionary* dictionary, const HookTickHead* head
   hookFinishPayload(frame, &out);
 }
 
+uint32_t hookGreatestTick(const GliderDictionary* dictionary, const HookSubscribe* subscription) {
+  const uint32_t count = countOf(subscription);
+  uint32_t bytes = kHeadBytes + 2 * mapBytes(count);
+  for (uint32_t i = 0; i < count; ++i) {
+    bytes += hookSensorWidth(dictionary, subscription->sensors[i].id);
+  }
+  return bytes;
+}
+
+void hookMarkTickKept(HookFrame* frame, bool kept) {
+  const uint32_t others = frame->payload[0] & ~(uint32_t)kHookFlagKept;
+  frame->payload[0] = (uint8_t)(others | (kept ? kHookFlagKept : 0U));
+}
+
 bool hookDecodeTickHead(const HookFrame* frame, HookTickHead* head) {
   HookByteReader in = hookPayloadOf(frame);
   const uint32_t flags = hookReadU8(&in);
   head->virtual_time = (flags & kHookFlagVirtualTime) != 0;
+  head->kept = (flags & kHookFlagKept) != 0;
   head->link = hookReadU24(&in);
   head->vehicle_time_s = (double)hookReadF32(&in);
   head->cycle = hookReadU24(&in);
@@ -161,8 +177,9 @@ bool hookDecodeTickHead(const HookFrame* frame, HookTickHead* head) {
   head->session = hookReadU24(&in);
   head->clock_s = hookReadU32(&in);
   return frame->type == kHookMessageTypeTick && in.good &&
-         (flags & ~(uint32_t)kHookFlagVirtualTime) == 0 && hookIsFinite(head->vehicle_time_s) &&
-         hookIsState(head->hook_state) && hookIsAnswer(head->answer);
+         (flags & ~(uint32_t)(kHookFlagVirtualTime | kHookFlagKept)) == 0 &&
+         hookIsFinite(head->vehicle_time_s) && hookIsState(head->hook_state) &&
+         hookIsAnswer(head->answer);
 }
 
 bool hookDecodeTickReadings(const GliderDictionary* dictionary, const HookFrame* frame,

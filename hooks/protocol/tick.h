@@ -34,6 +34,7 @@ typedef struct HookSubscribe {
 /// Head of a Tick.
 typedef struct HookTickHead {
   bool virtual_time GLIDER_IS(false);
+  bool kept GLIDER_IS(false);  ///< during a nap of the SBC; newer Ticks follow at once
   uint32_t link GLIDER_IS(0);
   double vehicle_time_s GLIDER_IS(0);  ///< from the 4-byte sensor m_present_secs_into_mission
   uint32_t cycle GLIDER_IS(0);         ///< at most 16777215, as are link and session
@@ -62,6 +63,10 @@ uint16_t hookSubscriptionCheck(const HookSubscribe* subscribe);
 void hookEncodeTick(const GliderDictionary* dictionary, const HookTickHead* head,
                     const HookSubscribe* subscription, const HookTickReadings* readings,
                     HookFrame* frame);
+/// The payload of a Tick of `subscription` that reports every sensor with a value, bytes.
+uint32_t hookGreatestTick(const GliderDictionary* dictionary, const HookSubscribe* subscription);
+/// In the payload of an encoded Tick: whether it is one of those that were kept.
+void hookMarkTickKept(HookFrame* frame, bool kept);
 /// The head alone: a receiver with a different subscription cannot read the rest.
 bool hookDecodeTickHead(const HookFrame* frame, HookTickHead* head);
 /// The rest; false if it does not match `subscription`.

@@ -8,6 +8,7 @@
 /// No link; reported once for each reason.
 static void refuse(HookSeat* seat, const HookHello* hello, uint16_t missing) {
   seat->link = 0;
+  hookNapsReset(&seat->naps);
   hookSeatForgetView(seat);
   if (hello->version != seat->refused_version || hello->dictionary != seat->refused_dictionary ||
       missing != seat->refused_features) {
@@ -49,6 +50,7 @@ static void handleHello(HookSeat* seat, const HookHello* hello) {
   seat->link = hello->link;
   seat->told_s = 0;
   seat->waiting = false;
+  hookNapsReset(&seat->naps);
   serveNothing(seat);
   HookSeatEvent told;
   memset(&told, 0, sizeof told);
@@ -128,9 +130,18 @@ static void handleNote(HookSeat* seat, const HookMissionNote* note) {
   hookEventQueuePush(&seat->events, &told);
 }
 
-static void beat(HookSeat* seat) {
-  seat->heartbeat = hookNextSession(seat->heartbeat);
-  seat->vehicle->beat(seat->vehicle->self, seat->heartbeat);
+void hookSeatBeat(HookSeat* seat, const HookSeatVehicle* vehicle, bool asleep) {
+  // In a nap all numbers are even, in the next one all are odd: so hookbeh notices that there was a
+  // beat of the SBC itself between two naps, also if its line has lost that. At the end of the
+  // numbers two of a kind follow each other.
+  const uint32_t most = asleep ? 3 : 1;
+  for (uint32_t i = 0; i < most; ++i) {
+    seat->heartbeat = hookNextSession(seat->heartbeat);
+    if (asleep && (seat->heartbeat % 2 == 1) == seat->naps.odd) {
+      break;
+    }
+  }
+  vehicle->beat(vehicle->self, seat->heartbeat, asleep);
 }
 
 /// True if the time of the mission in control has advanced.
@@ -146,6 +157,24 @@ static bool noteProgress(HookSeat* seat, const HookDone* done) {
   return false;
 }
 
+/// A program answers; whether it is alive, and the one that steers.
+static void followHeartbeat(HookSeat* seat, const HookDone* done) {
+  // A restarted program also answers, but it does not steer what its predecessor started: only the
+  // answers of the session in control keep that session alive. They do not if the mission's time
+  // does not advance: then a program answers, but no mission runs.
+  const uint32_t in_control = seat->state.session;
+  // A program that is not in control yet has already reported its time, so that a repetition of it
+  // is not progress.
+  const bool counts = done->session != 0 && (in_control == 0 || done->session == in_control);
+  const bool alive = counts ? noteProgress(seat, done) : in_control == 0;
+  if (alive) {
+    hookSeatBeat(seat, seat->vehicle, false);
+  }
+  if (alive && counts && in_control != 0) {
+    hookSeatBeginNap(seat, done);
+  }
+}
+
 static void handleDone(HookSeat* seat, const HookDone* done) {
   if (isStale(seat, done->status.mission_time_s)) {
     return;
@@ -158,16 +187,9 @@ static void handleDone(HookSeat* seat, const HookDone* done) {
   seat->view.state = done->status.state;
   seat->view.stack_depth = done->status.stack_depth;
   seat->view.phase = done->status.phase;
-  // A restarted program also answers, but it does not steer what its predecessor started: only the
-  // answers of the session in control keep that session alive. They do not if the mission's time
-  // does not advance: then a program answers, but no mission runs.
-  const uint32_t in_control = seat->state.session;
-  // A program that is not in control yet has already reported its time, so that a repetition of it
-  // is not progress.
-  const bool counts = done->session != 0 && (in_control == 0 || done->session == in_control);
-  if (counts ? noteProgress(seat, done) : in_control == 0) {
-    beat(seat);
-  }
+  // While nothing is sent, this is the answer to something earlier.
+  seat->naps.beats = seat->naps.beats && (seat->naps.asleep || seat->naps.waking);
+  followHeartbeat(seat, done);
 }
 
 static bool takeHello(HookSeat* seat, const HookFrame* frame) {
@@ -241,14 +263,21 @@ static bool handleOfLink(HookSeat* seat, const HookFrame* frame) {
       return takeDone(seat, frame);
     case kHookMessageTypeWrite:
       return takeWrite(seat, frame);
+    case kHookMessageTypeNap:
+      return hookSeatTakeNap(seat, frame);
     default:
       return false;
   }
 }
 
 void hookSeatHandle(HookSeat* seat, const HookFrame* frame) {
+  const bool slept = seat->naps.asleep;
   const bool good = frame->type == kHookMessageTypeHello ? takeHello(seat, frame)
                     : seat->link == 0 ? true  // the rest of an answer that belongs to no link
                                       : handleOfLink(seat, frame);
   seat->malformed += good ? 0 : 1;
+  seat->naps.ordered = seat->naps.ordered && frame->type == kHookMessageTypeNap;
+  if (slept && good) {
+    hookSeatWake(seat, kHookNapEndFrame);
+  }
 }

@@ -34,10 +34,12 @@ static uint32_t widthOf(const HookReporter* reporter, uint32_t index) {
   return hookSensorWidth(reporter->dictionary, reporter->subscription.sensors[index].id);
 }
 
+/// Whether the SBC holds `bits`, or a value within the dead band, when it has read what is kept.
 static bool isHeld(const HookReporter* reporter, uint32_t index, uint64_t bits) {
   const HookReported* row = &reporter->rows[index];
-  if (!row->held || row->bits == bits) {
-    return row->held;
+  const bool has_one = row->held || row->kept;
+  if (!has_one || row->bits == bits) {
+    return has_one;
   }
   const HookSubscription* wanted = &reporter->subscription.sensors[index];
   const uint32_t width = widthOf(reporter, index);
@@ -45,6 +47,18 @@ static bool isHeld(const HookReporter* reporter, uint32_t index, uint64_t bits) 
   // NaN and the infinities are held only if identical: no dead band covers a change from or to
   // them.
   return wanted->dead_band > 0 && hookMagnitude(change) <= (double)wanted->dead_band;
+}
+
+/// The value that the SBC holds, or will hold if no kept Tick is lost: then it is sent once more.
+static void tellHeld(HookReporter* reporter, uint32_t index) {
+  HookReported* row = &reporter->rows[index];
+  if (row->held) {
+    reporter->readings.told[index] = kHookReadingReportUnchanged;
+    return;
+  }
+  reporter->readings.told[index] = kHookReadingReportValue;
+  reporter->readings.values[index] = hookFromWire(widthOf(reporter, index), row->bits);
+  row->brought_in = (uint8_t)(row->brought_in | 1U);
 }
 
 void hookReporterReport(HookReporter* reporter, uint32_t index, double value) {
@@ -55,7 +69,7 @@ void hookReporterReport(HookReporter* reporter, uint32_t index, double value) {
   row->told_in = (uint8_t)(row->told_in | 1U);
   const uint64_t bits = hookToWire(widthOf(reporter, index), value);
   if (row->age < kHookRefreshTicks && isHeld(reporter, index, bits)) {
-    reporter->readings.told[index] = kHookReadingReportUnchanged;
+    tellHeld(reporter, index);
     return;
   }
   reporter->readings.told[index] = kHookReadingReportValue;
@@ -66,6 +80,7 @@ void hookReporterReport(HookReporter* reporter, uint32_t index, double value) {
   row->brought_in = (uint8_t)(row->brought_in | 1U);
   row->bits = bits;
   row->held = false;
+  row->kept = false;
   row->age = 0;
 }
 
@@ -76,6 +91,17 @@ void hookReporterSent(HookReporter* reporter, uint8_t sequence) {
   reporter->sequences[0] = sequence;
   if (reporter->remembered < kHookRememberedTicks) {
     ++reporter->remembered;
+  }
+}
+
+void hookReporterKept(HookReporter* reporter, uint8_t sequence) {
+  hookReporterSent(reporter, sequence);
+  for (uint32_t i = 0; i < reporter->subscription.count; ++i) {
+    HookReported* row = &reporter->rows[i];
+    row->kept = row->kept || reporter->readings.told[i] == kHookReadingReportValue;
+    if (reporter->readings.told[i] != kHookReadingReportNothing) {
+      row->rest = reporter->subscription.sensors[i].every;
+    }
   }
 }
 

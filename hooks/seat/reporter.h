@@ -19,6 +19,7 @@ enum {
 typedef struct HookReported {
   uint64_t bits;       ///< of the newest value sent, as on the line
   bool held;           ///< and the SBC has it
+  bool kept;           ///< and it is in a Tick that is kept, which the SBC will have
   uint8_t rest;        ///< Ticks until it may be reported again
   uint8_t age;         ///< Ticks since the value was sent, counted to kHookRefreshTicks
   uint8_t brought_in;  ///< Ticks that carried exactly this value: bit 0 the newest
@@ -27,7 +28,9 @@ typedef struct HookReported {
 
 /// Decides what each Tick reports about the subscribed sensors: only what the SBC does not hold
 /// already. A value counts as held once a Tick that brought it was answered; until then it is sent
-/// with each report, so a lost Tick delays a change only until the next report.
+/// with each report, so a lost Tick delays a change only until the next report. A Tick that is kept
+/// for a sleeping SBC says what it would say if those before it had been answered in time: rates
+/// and dead bands count from them. But their values are sent again, since they may still be lost.
 typedef struct HookReporter {
   const GliderDictionary* dictionary;
   HookSubscribe subscription;  ///< that is served
@@ -49,6 +52,8 @@ void hookReporterBegin(HookReporter* reporter);
 void hookReporterReport(HookReporter* reporter, uint32_t index, double value);
 /// The Tick, with all that was reported, goes as frame `sequence`.
 void hookReporterSent(HookReporter* reporter, uint8_t sequence);
+/// The same, but the frame is kept, and will be sent before any that is reported later.
+void hookReporterKept(HookReporter* reporter, uint8_t sequence);
 /// The SBC has answered frame `sequence`: if that is one of the newest Ticks, the SBC knows its
 /// content.
 void hookReporterAnswered(HookReporter* reporter, uint8_t sequence);

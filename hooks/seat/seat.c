@@ -61,7 +61,12 @@ static void loseSbc(HookSeat* seat) {
   }
   seat->link = 0;
   seat->waiting = false;
+  hookNapsReset(&seat->naps);
   hookSeatForgetView(seat);
+}
+
+bool hookSeatWantsSbc(const HookSeat* seat) {
+  return !seat->naps.asleep;
 }
 
 void hookSeatServe(HookSeat* seat, double now_s, const HookSeatState* state,
@@ -114,6 +119,7 @@ static void sendBeacon(HookSeat* seat) {
 
 static void fillTickHead(const HookSeat* seat, HookTickHead* head) {
   head->virtual_time = seat->options.virtual_time;
+  head->kept = false;  // known only when it is sent
   head->link = seat->link;
   head->vehicle_time_s = seat->state.vehicle_time_s;
   head->cycle = seat->state.cycle;
@@ -125,7 +131,9 @@ static void fillTickHead(const HookSeat* seat, HookTickHead* head) {
   head->clock_s = seat->state.clock_s;
 }
 
-static void sendTick(HookSeat* seat, const HookSeatVehicle* vehicle) {
+/// The Tick of this cycle, without a number.
+static void composeTick(HookSeat* seat, const HookSeatVehicle* vehicle, const HookTickHead* head,
+                        HookFrame* frame) {
   HookReporter* reporter = &seat->reporter;
   hookReporterBegin(reporter);
   const HookSubscribe* subscribed = &reporter->subscription;
@@ -135,12 +143,20 @@ static void sendTick(HookSeat* seat, const HookSeatVehicle* vehicle) {
       hookReporterReport(reporter, i, value);
     }
   }
-  HookTickHead head;
-  fillTickHead(seat, &head);
-  HookFrame frame;
-  hookEncodeTick(seat->dictionary, &head, subscribed, &reporter->readings, &frame);
-  hookSeatSend(seat, &frame);
-  hookReporterSent(reporter, frame.sequence);
+  hookEncodeTick(seat->dictionary, head, subscribed, &reporter->readings, frame);
+}
+
+void hookSeatWaitForAnswer(HookSeat* seat) {
+  if (!seat->waiting) {
+    seat->waiting = true;
+    hookSinceBegin(&seat->waits, seat->now_s);
+  }
+}
+
+static void sendTick(HookSeat* seat, HookFrame* frame) {
+  hookSeatSend(seat, frame);
+  hookReporterSent(&seat->reporter, frame->sequence);
+  hookSeatWaitForAnswer(seat);
 }
 
 void hookSeatTick(HookSeat* seat, const HookSeatState* state, const HookSeatVehicle* vehicle) {
@@ -149,11 +165,20 @@ void hookSeatTick(HookSeat* seat, const HookSeatState* state, const HookSeatVehi
     sendBeacon(seat);
     return;
   }
-  sendTick(seat, vehicle);
-  if (!seat->waiting) {
-    seat->waiting = true;
-    hookSinceBegin(&seat->waits, seat->now_s);
+  HookTickHead head;
+  HookFrame frame;
+  fillTickHead(seat, &head);
+  composeTick(seat, vehicle, &head, &frame);
+  seat->naps.ordered = false;
+  if (hookNapsKeep(&seat->naps)) {
+    hookSeatKeepTick(seat, &head, &frame);
+  } else {
+    sendTick(seat, &frame);
   }
+  if (!seat->naps.asleep) {
+    seat->naps.start = head;
+  }
+  hookSeatBeatInItsPlace(seat, vehicle);
 }
 
 void hookSeatPassOverStaleReport(HookSeat* seat) {
@@ -173,7 +198,7 @@ static void countBadFrames(HookSeat* seat, uint32_t of_vehicle) {
 }
 
 void hookSeatFinish(HookSeat* seat, const GliderByteStream* sbc, uint32_t bad_frames) {
-  const bool open = hookSendQueueFlush(&seat->out, sbc);
+  const bool open = hookSeatSendAll(seat, sbc);
   if (seat->link != 0 && (!open || (seat->waiting && hookSinceLasts(&seat->waits, seat->now_s) >=
                                                          (double)kHookSeatLostSecs))) {
     loseSbc(seat);

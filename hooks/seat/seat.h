@@ -10,13 +10,14 @@
 #include "hooks/protocol/sensor_list.h"
 #include "hooks/protocol/values.h"
 #include "hooks/seat/events.h"
+#include "hooks/seat/nap.h"
 #include "hooks/seat/reporter.h"
 #include "hooks/seat/watches.h"
 #include "hooks/transport/byte_stream.h"
 
 GLIDER_HOOKS_BEGIN
 
-/// What a vehicle says of itself in each Tick; the fields are those of HookTickHead.
+/// What a vehicle says of itself in each Tick; the fields but the last are those of HookTickHead.
 typedef struct HookSeatState {
   double vehicle_time_s GLIDER_IS(0);
   uint32_t cycle GLIDER_IS(0);
@@ -25,6 +26,8 @@ typedef struct HookSeatState {
   uint32_t answered_sequence GLIDER_IS(0);
   uint32_t session GLIDER_IS(0);  ///< in control, 0 for none
   uint32_t clock_s GLIDER_IS(0);
+  /// The longest nap that the SBC may take, with its time to wake, s; 0 or NaN: none.
+  double nap_secs GLIDER_IS(0);
 } HookSeatState;
 
 /// What the seat asks of the vehicle around it.
@@ -34,13 +37,15 @@ typedef struct HookSeatVehicle {
   bool (*reading)(void* self, uint16_t id, double* value);
   /// The SBC's next instruction, a list of instruction sensors only.
   void (*write)(void* self, const HookSensorList* instruction);
-  /// The SBC steers on: a number that differs from the last.
-  void (*beat)(void* self, uint32_t heartbeat);
+  /// The SBC steers on: a number that differs from the last. `asleep`: it sleeps, and the seat
+  /// gives the number in its place, once in each control cycle.
+  void (*beat)(void* self, uint32_t heartbeat, bool asleep);
 } HookSeatVehicle;
 
 typedef struct HookSeatOptions {
   bool virtual_time GLIDER_IS(false);  ///< the SBC must offer it
-  uint16_t obeys GLIDER_IS(0);         ///< features that are commands which this vehicle obeys
+  /// Features that this vehicle offers: commands that it obeys, and naps of the SBC.
+  uint16_t obeys GLIDER_IS(0);
 } HookSeatOptions;
 
 /// What the SBC has last said of its mission: valid when `known`.
@@ -92,6 +97,7 @@ typedef struct HookSeat {
   uint32_t malformed;
   uint32_t bad_frames_told;
   HookSbcView view;  ///< what the SBC has last said of its mission
+  HookNaps naps;
   HookEventQueue events;
 } HookSeat;
 
@@ -104,13 +110,18 @@ void hookSeatServe(HookSeat* seat, double now_s, const HookSeatState* state,
                    const HookSeatVehicle* vehicle, const GliderByteStream* sbc);
 /// Reports instructions that the vehicle does not answer, or refuses as old.
 void hookSeatWatch(HookSeat* seat, const HookSeatState* state);
-/// A control cycle is complete: sends its Tick, or a Beacon while there is no link.
+/// A control cycle is complete: sends its Tick, or a Beacon while there is no link. While the SBC
+/// sleeps, the Tick is kept.
 void hookSeatTick(HookSeat* seat, const HookSeatState* state, const HookSeatVehicle* vehicle);
 /// A report of the vehicle repeats an earlier one: it is counted, not sent.
 void hookSeatPassOverStaleReport(HookSeat* seat);
 /// Sends what the line takes and notices a lost SBC. `bad_frames`: discarded on the vehicle's own
 /// lines since it started.
 void hookSeatFinish(HookSeat* seat, const GliderByteStream* sbc, uint32_t bad_frames);
+
+/// False while the SBC sleeps: it may be without power until this is true again. It then has as
+/// many seconds as it has asked for until its line is used.
+bool hookSeatWantsSbc(const HookSeat* seat);
 
 /// Takes the oldest event. False, and an event without a kind, when there is none.
 bool hookSeatNextEvent(HookSeat* seat, HookSeatEvent* event);
@@ -147,6 +158,7 @@ class Seat {
     return event;
   }
   [[nodiscard]] const SbcView& sbc() const { return seat_.view; }
+  [[nodiscard]] bool wantsSbc() const { return hookSeatWantsSbc(&seat_); }
 
  private:
   HookSeat seat_;

@@ -34,6 +34,10 @@ bool hookProgressWatchIsStuck(HookProgressWatch* watch, double limit_s, double n
   return news;
 }
 
+void hookProgressWatchRest(HookProgressWatch* watch, double now_s) {
+  hookSinceBegin(&watch->same, now_s);
+}
+
 void hookAnswerWatchWritten(HookAnswerWatch* watch, double sequence, double now_s) {
   const uint16_t number = sequence >= 1 && sequence <= UINT16_MAX ? (uint16_t)sequence : 0;
   if (hookIsNewerSequence(watch->instruction, number)) {

@@ -43,6 +43,9 @@ bool hookProgressWatchHasGoneOn(HookProgressWatch* watch, uint32_t session, doub
 /// True once when it has reported the same time for `limit_s`.
 bool hookProgressWatchIsStuck(HookProgressWatch* watch, double limit_s, double now_s);
 
+/// No SBC can answer now: this time does not count.
+void hookProgressWatchRest(HookProgressWatch* watch, double now_s);
+
 /// Checks whether the vehicle answers instructions. It begins with all bytes zero.
 typedef struct HookAnswerWatch {
   uint16_t instruction GLIDER_IS(0);  ///< the newest without an answer, 0 for none

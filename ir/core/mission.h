@@ -513,6 +513,9 @@ struct Mission {
   /// The mission does not continue, but is over, if the vehicle has restarted its own mission
   /// during the outage.
   bool new_after_restart = false;
+  /// The longest time for which the SBC may sleep between two ticks, s: the line `nap at most`;
+  /// empty: it never sleeps. It decides nothing in the meaning of the mission.
+  std::optional<double> nap_s;
   std::optional<Compass> compass;  ///< empty: the mission does not use headings
   std::optional<Pack> pack;        ///< empty: the mission says nothing of it
   std::vector<Share> shares;       ///< those of a period one after the other, shortest period first

@@ -41,6 +41,8 @@ class Validator {
     sensors();
     compass();
     pack();
+    require(!m_.nap_s || (std::isfinite(*m_.nap_s) && *m_.nap_s > 0), {}, "the longest nap is {} s",
+            m_.nap_s.value_or(0));
     behaviours();
     variables();
     validateShares(m_, defects_);

@@ -41,6 +41,9 @@ std::string Printer::run() {
   if (m_.new_after_restart) {
     line("resume never after restart");
   }
+  if (m_.nap_s) {
+    line("nap {}", *m_.nap_s);
+  }
   std::ranges::for_each(m_.sensors, [&](const Sensor& s) { sensor(s); });
   compass();
   if (m_.pack) {

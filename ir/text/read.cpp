@@ -90,6 +90,8 @@ class Reader {
       assumption();
     } else if (in_.accept("resume")) {
       resumption();
+    } else if (in_.accept("nap")) {
+      m_.nap_s = in_.number(false);
     } else if (in_.accept("compass")) {
       compass();
     } else if (in_.accept("pack")) {
@@ -98,7 +100,7 @@ class Reader {
       in_.failExpecting(
           "`sensor`, `behaviour`, `variable`, `table`, `function`, `use`, `share`, `utc`, "
           "`vehicle`, `let`, `always`, `state`, `every`, `require`, `assume`, `resume`, "
-          "`compass` or `pack`");
+          "`nap`, `compass` or `pack`");
     }
   }
 

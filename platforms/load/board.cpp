@@ -3,7 +3,10 @@
 
 #include "platforms/load/board.h"
 
+#include "hooks/protocol/nap_times.h"
 #include "platforms/load/toml_reader.h"
+
+#include <fmt/format.h>
 
 #include <algorithm>
 
@@ -67,9 +70,28 @@ void readMachine(TomlReader& reader, Board& board) {
   board.max_tick_instructions = readLimit(reader, "max_tick_instructions");
 }
 
-BoardPower readBoardPower(TomlReader& reader) {
-  reader.only({"running_W", "spread", "source"});
-  return {reader.notNegative("running_W"), reader.share("spread"), reader.text("source")};
+/// `asleep_W` and `wake_s`, of which a file has both or none.
+std::optional<BoardSleep> readSleep(TomlReader& reader, const toml::table& power,
+                                    double running_W) {
+  if (!power.contains("asleep_W") && !power.contains("wake_s")) {
+    return std::nullopt;
+  }
+  const BoardSleep sleep{reader.notNegative("asleep_W"), reader.notNegative("wake_s")};
+  if (sleep.asleep_W > running_W) {
+    reader.refuse("asleep_W", "must not be above running_W");
+  }
+  if (sleep.wake_s > int{kHookMostWakeSecs}) {
+    reader.refuse("wake_s", fmt::format("must be at most {} s: proofs count on it",
+                                        static_cast<int>(kHookMostWakeSecs)));
+  }
+  return sleep;
+}
+
+BoardPower readBoardPower(TomlReader& reader, const toml::table& power) {
+  reader.only({"running_W", "spread", "source", "asleep_W", "wake_s"});
+  const double running_W = reader.notNegative("running_W");
+  return {running_W, reader.share("spread"), reader.text("source"),
+          readSleep(reader, power, running_W)};
 }
 
 void readKernel(TomlReader& reader, Board& board) {
@@ -115,9 +137,10 @@ support::Result<Board> loadBoard(const std::filesystem::path& path) {
   if (root->contains("kernel")) {
     readKernel(kernel, board);
   }
-  TomlReader power(file, subtable(top, *root, "power"), "[power]");
+  const toml::table& power_table = subtable(top, *root, "power");
+  TomlReader power(file, power_table, "[power]");
   if (root->contains("power")) {
-    board.power = readBoardPower(power);
+    board.power = readBoardPower(power, power_table);
   }
   TomlReader emulator(file, subtable(top, *root, "emulator"), "[emulator]");
   emulator.only({"command", "debugger"});

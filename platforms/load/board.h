@@ -30,11 +30,18 @@ struct LinkInputs {
   std::vector<std::string> after;
 };
 
+/// How a board sleeps.
+struct BoardSleep {
+  double asleep_W = 0;  ///< while it waits to be woken
+  double wake_s = 0;    ///< from the call until its programs run
+};
+
 /// What a board draws.
 struct BoardPower {
-  double running_W = 0;  ///< while a mission runs on it
-  double spread = 0;     ///< the share by which that may be wrong to either side
-  std::string source;    ///< where the number is from
+  double running_W = 0;             ///< while a mission runs on it
+  double spread = 0;                ///< the share by which each may be wrong to either side
+  std::string source;               ///< where the numbers are from
+  std::optional<BoardSleep> sleep;  ///< empty: it cannot sleep, or nothing is known of it
 };
 
 /// A single-board computer as data: platforms/boards/<name>.toml.

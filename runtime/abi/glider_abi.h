@@ -15,7 +15,7 @@
 extern "C" {
 #endif
 
-#define GLIDER_ABI_VERSION 11u
+#define GLIDER_ABI_VERSION 12u
 /* Gives a function declared in C the symbol that a mission looks for; ir/core/c_symbols.h says how
    the symbol encodes the function's types. */
 #define GLIDER_SYMBOL(name) __asm__(name)
@@ -31,6 +31,7 @@ extern "C" {
  * time of the calendar. No duration of a mission is 30 years. */
 #define GLIDER_FIRST_DATE 946684800.0
 #define GLIDER_MOST_NOTES 16u
+#define GLIDER_MOST_WAKES 32u
 #define GLIDER_GUARD_STRIDE 16u
 #define GLIDER_MOST_NOTE_VALUES 64u
 /* What a behaviour may keep from tick to tick in each state that uses it. */
@@ -91,6 +92,7 @@ typedef enum GliderLateral {
 typedef struct GliderContext GliderContext;
 typedef struct GliderMission GliderMission;
 typedef struct GliderUpdate GliderUpdate;
+typedef struct GliderNap GliderNap;
 
 typedef union GliderBehaviourMemory {
   uint8_t bytes[GLIDER_BEHAVIOUR_MEMORY_BYTES];
@@ -134,6 +136,12 @@ typedef double(GliderPoll)(double mission_time);
    runs. */
 typedef uint32_t(GliderConvertHeadings)(const GliderMission* mission, GliderContext* context,
                                         double* variation, GliderUpdate* updates, uint32_t count);
+/* After a tick of the state: adds to `nap` what can make the next ticks do anything else than this
+   one did (ir/naps), or that this is not known. */
+typedef void(GliderForesee)(GliderContext* context, GliderNap* nap);
+/* After each tick, before its answer: adds a sleep to that if there may be one. The runtime's own
+   NapMemory and NapTick (runtime/core/nap_tick.h). */
+typedef void(GliderNapTick)(void* memory, const void* tick);
 /* 1 if the guard of case `number` of a list is true. */
 typedef uint32_t(GliderHolds)(const GliderContext* context, uint32_t number);
 
@@ -175,6 +183,16 @@ uint32_t gliderFirstTrue(GliderContext* context, const GliderGuardTable* table, 
 /* Commands how often the vehicle's instruments read: a word of hooks/protocol/sampling.h. One that
    is unknown changes nothing and is counted as a refused command. */
 void gliderSample(GliderContext* context, double word);
+
+/* What code of the type GliderForesee adds. Awake: what comes next is not known. Until: two numbers
+   that approach each other by 1 a second are `seconds` apart (below 0: they have passed; NaN:
+   nothing follows from them). Crossed: a sensor of the mission passes a number in SI units (NaN:
+   nothing), or, while it is unknown, becomes known. Known, Lost: it becomes known; unknown. */
+void gliderNapAwake(GliderNap* nap);
+void gliderNapUntil(GliderNap* nap, double seconds);
+void gliderNapCrossed(GliderNap* nap, const GliderContext* context, uint32_t sensor, double number);
+void gliderNapKnown(GliderNap* nap, const GliderContext* context, uint32_t sensor);
+void gliderNapLost(GliderNap* nap, const GliderContext* context, uint32_t sensor);
 
 /* Adds a note of `kind` (GliderNoteKind) with `count` values, for this tick; `text` outlives the
    mission. A note for which there is no room is counted as lost. */

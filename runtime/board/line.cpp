@@ -5,6 +5,7 @@
 
 #include "runtime/board/files.h"
 
+#include <fcntl.h>
 #include <poll.h>
 #include <string.h>
 #include <unistd.h>
@@ -25,6 +26,7 @@ void tellHelp(const char* mission_name) {
        "  --checkpoint FILE  what a restart needs to go on\n"
        "  --set NAME=VALUE  a parameter: bottom=20m\n"
        "  --parameters FILE  the same, one a line\n"
+       "  --sleep FILE  sleeps by `mem` to it, if the mission may (/sys/power/state)\n"
        "  --version\n"
        "status: 0 ended, 1 wrong use, 2 parameters, port or link, 3 internal check");
 }
@@ -92,6 +94,21 @@ void waitForLine(int descriptor) {
   pollfd wanted{descriptor, POLLIN, 0};
   if (poll(&wanted, 1, kNapMs) < 0) {
     (void)poll(nullptr, 0, 10);  // never spin, for any error that poll reports for the line
+  }
+}
+
+void sleepBoard(const Options& options) {
+  if (options.sleep == nullptr) {
+    return;
+  }
+  (void)poll(nullptr, 0, kSentMs);
+  const int file = open(options.sleep, O_WRONLY);
+  static constexpr char kToRam[] = {'m', 'e', 'm', '\n'};
+  if (file < 0 || write(file, kToRam, sizeof kToRam) != sizeof kToRam) {
+    tell("warning: cannot sleep by `", options.sleep, "`");
+  }
+  if (file >= 0) {
+    (void)close(file);
   }
 }
 

@@ -19,6 +19,8 @@ inline constexpr int kCheckFailed = 3;
 
 /// Silence is counted in seconds: the time to sleep when no byte arrives, ms.
 inline constexpr int kNapMs = 1000;
+/// In which the newest answer leaves the port of the slowest board.
+inline constexpr int kSentMs = 200;
 
 /// Handles --help (except for the parameters), --version and unknown arguments; returns the exit
 /// status.
@@ -39,6 +41,9 @@ OpenPort openLine(const Options& options);
 /// Opens the log that the options name, if any. If it cannot be opened, prints a warning: the
 /// mission flies without it.
 GliderLogSink openLogOf(const Options& options);
+
+/// Puts the board to sleep by the file that the options name, if any; returns when it is awake.
+void sleepBoard(const Options& options);
 
 /// Sleeps until there are bytes, or until a time-out may have expired.
 void waitForLine(int descriptor);

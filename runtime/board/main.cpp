@@ -19,7 +19,7 @@
 namespace glider::runtime {
 namespace {
 
-int fly(GliderRuntime* runtime, OpenPort& line, Card& card) {
+int fly(GliderRuntime* runtime, const Options& options, OpenPort& line, Card& card) {
   static hooks::SystemClock system_clock;
   const GliderClock clock = system_clock.clock();
   while (true) {
@@ -31,6 +31,9 @@ int fly(GliderRuntime* runtime, OpenPort& line, Card& card) {
           card.setLine(*own);
         }
         card.rested(runtime->virtualTime());
+        if (runtime->fallsAsleep()) {
+          sleepBoard(options);
+        }
         if (!waitForBoth(line.descriptor)) {
           waitForLine(line.descriptor);
         }
@@ -91,7 +94,7 @@ int run(const Options& options) {
   line.stream = frames.stream;
   runtime->countDamageBy(frames.damaged);
   runtime->afterTick(frames.after_tick);
-  return fly(runtime, line, card);
+  return fly(runtime, options, line, card);
 }
 
 }  // namespace

@@ -42,6 +42,10 @@ bool withValue(const char* argument, const char* value, Options& options) {
     options.parameters = value;
     return true;
   }
+  if (is(argument, "--sleep")) {
+    options.sleep = value;
+    return true;
+  }
   if (is(argument, "--set") && options.setting_count < Options::kMostSettings) {
     options.settings[options.setting_count++] = value;
     return true;

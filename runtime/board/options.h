@@ -23,6 +23,7 @@ struct Options {
   static constexpr uint32_t kLeastLogLimit = 4096;  ///< more than its head usually takes
   const char* checkpoints = nullptr;                ///< the file of checkpoints; null: none
   const char* parameters = nullptr;                 ///< a file of parameters; null: none
+  const char* sleep = nullptr;  ///< the file by which the board is put to sleep; null: it stays on
   static constexpr uint32_t kMostSettings = GLIDER_MOST_PARAMETERS;
   const char* settings[kMostSettings] = {};  ///< of --set, in order
   uint32_t setting_count = 0;

@@ -60,6 +60,11 @@ class Control {
   bool choose(const hooks::Instruction& wanted, bool finished, hooks::Instruction& out);
   /// Must follow a choose() that returned true: the number under which `instruction` was sent.
   void sent(const hooks::Instruction& instruction, uint16_t sequence);
+  /// True if the vehicle obeys, and no instruction waits for an answer or for its turn.
+  [[nodiscard]] bool isSettled() const {
+    return ours_ && !released_ && pending_ == hooks::HookControl::None &&
+           state_ == hooks::HookState::Active && standing_ <= 1;
+  }
   /// True once a finished mission has no control left to release.
   [[nodiscard]] bool released() const { return released_; }
   /// The check that its own memory does not pass; Check::None: it passes all.

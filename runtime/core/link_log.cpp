@@ -102,6 +102,14 @@ void LinkLog::refusedLink(const hooks::Refusal& refusal) {
   log_.flush();
 }
 
+void LinkLog::sleeps(const GliderContext& context, uint32_t seconds) {
+  log_.event(context.mission_time, LogEvent::Sleeps, LogDetail::None, seconds);
+}
+
+void LinkLog::wokenLate(const GliderContext& context, double seconds) {
+  log_.event(context.mission_time, LogEvent::WokenLate, LogDetail::None, seconds);
+}
+
 void LinkLog::silence(const GliderContext& context) {
   log_.event(context.mission_time, LogEvent::SilentLink, LogDetail::None, unknown());
 }

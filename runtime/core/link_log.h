@@ -29,6 +29,10 @@ class LinkLog {
   /// minute: noise must not fill the log.
   void damagedInput(const GliderContext& context, uint32_t sum);
   static constexpr uint32_t kBetweenDamages = 15;
+  /// The SBC will sleep for at most so many seconds.
+  void sleeps(const GliderContext& context, uint32_t seconds);
+  /// What the vehicle kept made the mission do something `seconds` before it was woken for that.
+  void wokenLate(const GliderContext& context, double seconds);
   /// A tick of the SBC's own clock.
   void silence(const GliderContext& context);
 

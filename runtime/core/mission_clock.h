@@ -37,20 +37,27 @@ class MissionClock {
   /// The vehicle's frame with cycle number `cycle` has arrived: returns mission time, s. A vehicle
   /// that restarted its own mission counts from 0 again, and one with a broken clock from any
   /// value; mission time then continues from where it was, by the SBC's own clock.
-  double atFrame(double vehicle_time, uint32_t cycle, double sbc_time) {
+  /// `kept`: the vehicle has kept it while the SBC slept, and newer ones follow at once.
+  double atFrame(double vehicle_time, uint32_t cycle, double sbc_time, bool kept = false) {
     const double reached = missionAt(vehicle_) + silence_;
     const uint32_t cycles = cycle > cycle_ ? cycle - cycle_ : 1;
     const double passed = vehicle_time - vehicle_;
-    if (!(passed >= 0 && passed <= kMostCycle * cycles) ||
-        reached - missionAt(vehicle_time) > kMostSilence) {
-      anchor_ = {vehicle_time, reached + passedHere(sbc_time)};
+    const bool behind = !kept && reached - missionAt(vehicle_time) > kMostSilence;
+    if (!(passed >= 0 && passed <= kMostCycle * cycles) || behind) {
+      const double here = kept ? earlier(kCycle * cycles, kMostSilence) : passedHere(sbc_time);
+      anchor_ = {vehicle_time, reached + here};
     }
+    // When a kept frame was made is known by the vehicle's time alone.
+    sbc_ = kept ? earlier(sbc_ + (passed > 0 ? passed : 0), sbc_time) : sbc_time;
+    most_ = kept ? most_ : kMostSilence;
     cycle_ = cycle;
     vehicle_ = vehicle_time;
-    sbc_ = sbc_time;
     silence_ = 0;
     return missionAt(vehicle_time);
   }
+
+  /// The SBC sleeps for up to `seconds` from now: so much longer may there be no frame.
+  void sleeps(double seconds) { most_ = kMostSilence + seconds; }
 
   /// No frame has arrived: mission time by the SBC's own clock. A jump of that clock adds at most
   /// kMostSilence since it was last read, so that the vehicle's frames, when they resume, need no
@@ -58,6 +65,7 @@ class MissionClock {
   double withoutFrame(double sbc_time) {
     silence_ += passedHere(sbc_time);
     sbc_ = sbc_time;
+    most_ = kMostSilence;
     return missionAt(vehicle_) + silence_;
   }
 
@@ -68,21 +76,25 @@ class MissionClock {
   /// s; a control cycle takes 4 to 4.5. A time that advances by more per cycle that the vehicle has
   /// counted is a false reading.
   static constexpr double kMostCycle = 20;
+  /// s. Of a frame that was kept, the SBC's own clock says nothing.
+  static constexpr double kCycle = 4;
 
   /// By the SBC's own clock since it was last read, s.
   [[nodiscard]] double passedHere(double sbc_time) const {
     const double passed = sbc_time - sbc_;
-    return passed > kMostSilence ? kMostSilence : passed > 0 ? passed : 0;
+    return passed > most_ ? most_ : passed > 0 ? passed : 0;
   }
+  static double earlier(double a, double b) { return a < b ? a : b; }
   [[nodiscard]] double missionAt(double vehicle_time) const {
     return anchor_.mission + (vehicle_time - anchor_.vehicle);
   }
 
   ClockAnchor anchor_;
-  double vehicle_ = 0;  ///< vehicle time of the newest frame
-  uint32_t cycle_ = 0;  ///< its number; 0: not known yet
-  double sbc_ = 0;      ///< SBC time when it was last read
-  double silence_ = 0;  ///< s since the newest frame
+  double vehicle_ = 0;          ///< vehicle time of the newest frame
+  uint32_t cycle_ = 0;          ///< its number; 0: not known yet
+  double sbc_ = 0;              ///< SBC time when it was last read
+  double silence_ = 0;          ///< s since the newest frame
+  double most_ = kMostSilence;  ///< that may have passed since it was last read
 };
 
 }  // namespace glider::runtime

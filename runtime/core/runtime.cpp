@@ -40,8 +40,9 @@ bool hasGuards(const GliderMission& mission) {
 /// True if all sensors that the program subscribes to fit into a frame.
 bool hasRoom(const GliderMission& mission) {
   const uint32_t most = glider::hooks::kMostSubscriptions;
-  return mission.sensor_count <= most &&
-         (mission.sensor_count < most || !StartDepth(mission).needsDepth());
+  const uint32_t added =
+      (StartDepth(mission).needsDepth() ? 1U : 0U) + glider::runtime::sensorsForNaps(mission);
+  return mission.sensor_count + added <= most;
 }
 
 /// Includes the parameters: with different ones it is another program.
@@ -79,6 +80,10 @@ glider::hooks::ClientOptions GliderRuntime::subscribe(const GliderMission& missi
     if (mission.sensors[i].poll == nullptr) {  // the vehicle's
       hookUsualSubscription(mission.dictionary, id, &sensors[options.sensor_count++]);
     }
+  }
+  if (glider::runtime::sensorsForNaps(mission) != 0) {
+    hookUsualSubscription(mission.dictionary, glider::runtime::napLimitSensor(mission),
+                          &sensors[options.sensor_count++]);
   }
   if (StartDepth(mission).needsDepth()) {
     const auto depth = static_cast<uint16_t>(mission.dictionary->roles[kGliderRoleDepth]);
@@ -150,13 +155,14 @@ void GliderRuntime::answerTick(const GliderByteStream& stream, double sbc_time) 
   const bool may_begin = context_ == nullptr && mayBegin(tick);
   const uint32_t count = gatherUpdates();
   if (context_ != nullptr) {
-    stepMission(clock_.atFrame(tick.vehicle_time_s, tick.cycle, sbc_time), count);
+    stepMission(clock_.atFrame(tick.vehicle_time_s, tick.cycle, sbc_time, tick.kept), count);
   } else if (may_begin) {
     clock_.start(tick.vehicle_time_s, sbc_time);
     startMission(count);
   }
+  bool commands = false;
   if (context_ != nullptr) {
-    command();
+    commands = command();
     link_log_.news(*context_, news);
     link_log_.unanswered(*context_, tick);
     link_log_.damagedInput(*context_, damaged_ != nullptr ? *damaged_ : client_.badFrames());
@@ -165,6 +171,14 @@ void GliderRuntime::answerTick(const GliderByteStream& stream, double sbc_time) 
     after_tick_.report(after_tick_.self, persistence_);
   }
   persistence_.commit(context_);
+  if (context_ != nullptr && mission_.naps != nullptr) {
+    const glider::runtime::NapTick now{*context_, tick,     client_,
+                                       link_log_, commands, control_.isSettled()};
+    mission_.naps->after_tick(&naps_, &now);
+    if (naps_.asleep) {
+      clock_.sleeps(mission_.naps->longest);
+    }
+  }
   if (!hasFailed()) {
     client_.done(status(), stream);
   }
@@ -263,11 +277,15 @@ void GliderRuntime::tellTransition(uint32_t from, const glider::runtime::StateTi
   log_.transition(*context_, from, times);
 }
 
-void GliderRuntime::command() {
+/// True if there was something to command.
+bool GliderRuntime::command() {
   Instruction instruction;
-  if (control_.choose(glider::runtime::instructionFor(*context_), finished(), instruction)) {
+  const bool news =
+      control_.choose(glider::runtime::instructionFor(*context_), finished(), instruction);
+  if (news) {
     control_.sent(instruction, client_.instruct(instruction));
   }
+  return news;
 }
 
 glider::hooks::MissionStatus GliderRuntime::status() const {

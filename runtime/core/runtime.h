@@ -10,6 +10,7 @@
 #include "runtime/core/control.h"
 #include "runtime/core/link_log.h"
 #include "runtime/core/mission_clock.h"
+#include "runtime/core/nap_tick.h"
 #include "runtime/core/persistence.h"
 #include "runtime/core/start_depth.h"
 #include "runtime/log/mission_log.h"
@@ -41,6 +42,12 @@ struct GliderRuntime {
   /// The client's frames come from within the program: `damaged` counts what arrives damaged. It
   /// outlives this.
   void countDamageBy(const uint32_t* damaged) { damaged_ = damaged; }
+  /// True once after an answer after which the SBC may sleep until the vehicle wakes it.
+  bool fallsAsleep() {
+    const bool asleep = naps_.asleep && !client_.virtualTime();
+    naps_.asleep = false;
+    return asleep;
+  }
   void afterTick(const glider::runtime::AfterTick& after_tick) { after_tick_ = after_tick; }
   /// The number of the first check of its own memory that failed (log/checks.def); 0: none.
   [[nodiscard]] uint32_t failedCheck() const { return glider::runtime::firstFailedCheck(memory()); }
@@ -61,7 +68,7 @@ struct GliderRuntime {
   void startMission(uint32_t update_count);
   void stepMission(double mission_time, uint32_t update_count);
   void tellTransition(uint32_t from, const glider::runtime::StateTimes& times);
-  void command();
+  bool command();
   uint32_t gatherUpdates();
   uint32_t convertHeadings(GliderUpdate* updates, uint32_t count);
   void endStep();
@@ -84,5 +91,6 @@ struct GliderRuntime {
   GliderUpdate updates_[glider::hooks::kMostSubscriptions] = {};
   double variation_;  ///< in a mission with a compass: the last that the vehicle reported, else NaN
   glider::runtime::StartDepth start_depth_;
+  glider::runtime::NapMemory naps_;
   glider::runtime::Persistence persistence_;
 };

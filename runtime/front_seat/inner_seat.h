@@ -62,7 +62,7 @@ class InnerSeat {
   static int32_t writeInner(void* self, const uint8_t* bytes, uint32_t count);
   static bool reading(void* self, uint16_t id, double* value);
   static void instruct(void* self, const hooks::SensorList* instruction);
-  static void beat(void* /*self*/, uint32_t /*heartbeat*/) {}
+  static void beat(void* /*self*/, uint32_t /*heartbeat*/, bool /*asleep*/) {}
 
   [[nodiscard]] GliderByteStream line() { return {this, readInner, writeInner}; }
   [[nodiscard]] hooks::SeatVehicle vehicle() { return {this, reading, instruct, beat}; }

@@ -74,7 +74,7 @@ bool isOfSensors(FaultKind kind);
 double deepestAllowed(Deepest deepest, double limit_m);
 /// The times that what becomes of control depends on, s.
 struct ControlTimes {
-  double silence_s = 0;  ///< hookbeh's `silence_secs`
+  double silence_s = 0;  ///< hookbeh's `silence_secs`, with its `nap_secs`
   double cycle_s = 0;    ///< of the flight controller
   double lag_s = 0;      ///< `line_lag_s` of the vehicle
 };

@@ -67,7 +67,7 @@ void AgreeingVehicle::cycle(double time) {
   state_.answer = sequence_ != 0 ? hooks::HookAnswer::Accepted : hooks::HookAnswer::None;
   state_.answered_sequence = sequence_;
   state_.session = hook_state_ == hooks::HookState::Active ? session_ : 0;
-  const hooks::SeatVehicle vehicle{this, reading, write, [](void*, uint32_t) {}};
+  const hooks::SeatVehicle vehicle{this, reading, write, [](void*, uint32_t, bool) {}};
   seat_.serve(time, state_, vehicle, sbc_line_.left());
   seat_.watch(state_);
   seat_.tick(state_, vehicle);
@@ -80,7 +80,7 @@ void AgreeingVehicle::cycle(double time) {
 
 void AgreeingVehicle::exchange(double time) {
   carry(time);
-  const hooks::SeatVehicle vehicle{this, reading, write, [](void*, uint32_t) {}};
+  const hooks::SeatVehicle vehicle{this, reading, write, [](void*, uint32_t, bool) {}};
   seat_.serve(time, state_, vehicle, sbc_line_.left());
   seat_.watch(state_);
   seat_.finish(sbc_line_.left(), 0);

@@ -121,8 +121,8 @@ void replaceHotel(std::vector<platforms::Draw>& draws, double power_W) {
 }
 
 void readBattery(Fields& f, BatterySettings& battery) {
-  f.reader().only(
-      {"capacity_kJ", "full_V", "empty_V", "resistance_ohm", "start_V", "hotel_W", "sbc_W"});
+  f.reader().only({"capacity_kJ", "full_V", "empty_V", "resistance_ohm", "start_V", "hotel_W",
+                   "sbc_W", "sbc_asleep_W"});
   platforms::Power& power = battery.power;
   battery.own_capacity = f.has("capacity_kJ");
   f.number("capacity_kJ", power.capacity_kj, 1, 1e6);
@@ -139,6 +139,9 @@ void readBattery(Fields& f, BatterySettings& battery) {
   }
   if (f.has("sbc_W")) {
     battery.sbc_W = f.required("sbc_W", 0, 1000);
+  }
+  if (f.has("sbc_asleep_W")) {
+    battery.sbc_asleep_W = f.required("sbc_asleep_W", 0, 1000);
   }
 }
 

@@ -61,6 +61,8 @@ class SimulatedSeat {
   virtual hooks::SeatEvent nextEvent() = 0;
   /// What the SBC has last said of its mission.
   [[nodiscard]] virtual hooks::SbcView sbc() const = 0;
+  /// The vehicle does not expect the SBC to read its line now.
+  [[nodiscard]] virtual bool sbcMaySleep() const { return false; }
   /// The SBC controls the vehicle.
   [[nodiscard]] virtual bool inControl() const = 0;
   /// The SBC's mission has changed state.

@@ -112,6 +112,11 @@ std::optional<double> raiseOvertime(std::any& own, double seconds) {
                          : std::nullopt;
 }
 
+std::optional<double> allowNaps(std::any& own, double seconds) {
+  return own.has_value() ? slocum::allowNaps(std::any_cast<SlocumMission&>(own).file, seconds)
+                         : std::nullopt;
+}
+
 std::unique_ptr<SimulatedSeat> makeSeat(const SeatSetup& setup) {
   return std::make_unique<SlocumSeat>(setup);
 }
@@ -134,6 +139,7 @@ constinit const Family families::slocum = {.name = "slocum",
                                            .apply_drawn = applyDrawnTo,
                                            .overtime_of = overtimeOf,
                                            .raise_overtime = raiseOvertime,
+                                           .allow_naps = allowNaps,
                                            .make_seat = makeSeat};
 
 }  // namespace glider::simulator

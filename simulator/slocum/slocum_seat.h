@@ -30,6 +30,7 @@ class SlocumSeat final : public SimulatedSeat {
 
   hooks::SeatEvent nextEvent() override { return science_.nextEvent(); }
   [[nodiscard]] hooks::SbcView sbc() const override { return science_.sbc(); }
+  [[nodiscard]] bool sbcMaySleep() const override { return science_.sbcMaySleep(); }
   [[nodiscard]] bool inControl() const override { return flight_.hookActive(); }
   void noteTransition() override { flight_.noteTransition(); }
 

@@ -20,7 +20,11 @@ double energyOfCharge(const platforms::Power& power, double charge_C) {
 }
 
 BatterySettings batteryOf(const platforms::Power& power) {
-  return {.power = power, .start_V = power.full_V, .own_capacity = false, .sbc_W = std::nullopt};
+  return {.power = power,
+          .start_V = power.full_V,
+          .own_capacity = false,
+          .sbc_W = std::nullopt,
+          .sbc_asleep_W = std::nullopt};
 }
 
 Battery::Battery(const BatterySettings& settings)

@@ -19,6 +19,7 @@ struct BatterySettings {
   double start_V = 1;           ///< without load, when the flight begins
   bool own_capacity = false;    ///< the scenario says how much it holds
   std::optional<double> sbc_W;  ///< while the SBC has power; empty: not known, and not counted
+  std::optional<double> sbc_asleep_W;  ///< while it sleeps; empty: as while it does not
 };
 
 /// The energy (J) of a full pack that gives `charge_C` until it is empty, at the voltages of

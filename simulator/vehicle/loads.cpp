@@ -16,6 +16,7 @@ using platforms::DrawWhen;
 Loads::Loads(const BatterySettings& settings)
     : propeller_(settings.power.propeller),
       sbc_W_(settings.sbc_W.value_or(0)),
+      sbc_asleep_W_(settings.sbc_asleep_W.value_or(sbc_W_)),
       propeller_device_(platforms::placeOf(settings.power, platforms::kPropellerDevice)),
       sbc_device_(platforms::placeOf(settings.power, platforms::kSbcDevice)) {
   for (const Draw& draw : settings.power.draws) {
@@ -70,7 +71,8 @@ void Loads::draw(Battery& battery, const Doings& doings) const {
   if (!propeller_.rpm.empty()) {
     battery.use(propeller_device_, powerAt(propeller_, doings.rpm) * doings.seconds);
   }
-  battery.use(sbc_device_, doings.sbc_powered ? sbc_W_ * doings.seconds : 0);
+  const double sbc_W = doings.sbc_asleep ? sbc_asleep_W_ : sbc_W_;
+  battery.use(sbc_device_, doings.sbc_powered ? sbc_W * doings.seconds : 0);
 }
 
 double powerAt(const platforms::PropellerPower& power, double rpm) {

@@ -25,6 +25,7 @@ struct Doings {
   bool fin_moves = false;
   double rpm = 0;
   bool sbc_powered = false;
+  bool sbc_asleep = false;  ///< while it has power
 };
 
 /// The devices of a vehicle that draw power, by its power table.
@@ -53,6 +54,7 @@ class Loads {
   std::vector<Row> rows_;
   platforms::PropellerPower propeller_;
   double sbc_W_ = 0;
+  double sbc_asleep_W_ = 0;
   size_t propeller_device_ = 0;  ///< their places, as that of a row
   size_t sbc_device_ = 0;
 };

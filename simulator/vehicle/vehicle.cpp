@@ -65,7 +65,8 @@ void Vehicle::drawPower(double pump_cc, double pitch_battery_in, double fin_rad)
                          .pitch_battery_moves = state_.pitch_battery.position != pitch_battery_in,
                          .fin_moves = state_.fin.position != fin_rad,
                          .rpm = state_.rpm.position,
-                         .sbc_powered = sbc_powered_});
+                         .sbc_powered = sbc_powered_,
+                         .sbc_asleep = sbc_asleep_});
   battery_.settle(kStep);
   dived_ = state_.depth_m > kDived || (dived_ && !surfaces);
 }

@@ -38,7 +38,10 @@ class Vehicle {
   void commandPropeller(double rpm) { command_.rpm = rpm; }
   void commandSternPlane(double rad) { command_.stern_plane_rad = rad; }
   /// Sets whether the SBC draws its power.
-  void feedSbc(bool powered) { sbc_powered_ = powered; }
+  void feedSbc(bool powered, bool asleep = false) {
+    sbc_powered_ = powered;
+    sbc_asleep_ = asleep;
+  }
   /// The mission reads these sensors, by the vehicle's names: what measures them draws its power.
   void readSensors(std::span<const std::string> sensors) { loads_.read(sensors); }
   /// The SBC orders how often they read: a word of hooks/protocol/sampling.h.
@@ -84,6 +87,7 @@ class Vehicle {
   Loads loads_;
   size_t modem_device_;  ///< its place in platforms::devicesOf
   bool sbc_powered_ = false;
+  bool sbc_asleep_ = false;
   bool dived_ = false;    ///< since it last surfaced
   double surface_s_ = 0;  ///< at the surface without a break
 };

@@ -384,6 +384,42 @@ TEST_F(Certificates, OfTheUsualStartAreRefusedWhereADeeperOneIsAssumed) {
   EXPECT_FALSE(deeper.rechecked(0, file.dump()).accepted);
 }
 
+/// A dive of a minute that the clock ends: how deep it leads depends on when that is obeyed.
+constexpr const char* kMinute = R"(
+assume no outage
+state down
+begin
+  flightprofile yo(5 m, 90 m, 26 deg, 26 deg)
+  sensors       statetime, depth
+  events
+    case statetime >= 60 s goto up
+end
+state up
+begin
+  flightprofile surfaced
+  sensors       statetime, depth
+  events
+    case statetime >= 30 min exit
+end
+)";
+
+/// An SBC that sleeps is obeyed 15 s later: both checks count with that, each by its own rules.
+TEST_F(Certificates, OfAnSbcThatAlwaysRunsAreRefusedForOneThatSleeps) {
+  const std::string usual_limit = "mission m\nrequire always depth <= 51 m\n";
+  const std::string nap = "nap at most 4 min\n";
+  const Issued usual = issue(usual_limit + kMinute);
+  const Issued sleeps = issue(usual_limit + nap + kMinute);
+  const Issued deeper = issue("mission m\nrequire always depth <= 57 m\n" + nap + kMinute);
+  ASSERT_TRUE(usual.rechecked(0, usual.file(0)).accepted);
+  EXPECT_NE(sleeps.findings.requirements.at(0).verdict, ir::prove::Verdict::Proved);
+  json file = json::parse(usual.file(0));
+  file["subject"] = *compiler::subjectOf(*sleeps.mission->checked);
+  const analysis::Rechecked forged = sleeps.rechecked(0, file.dump());
+  EXPECT_FALSE(forged.accepted);
+  const analysis::Rechecked found = deeper.rechecked(0, deeper.file(0));
+  EXPECT_TRUE(found.accepted) << found.reason;
+}
+
 /// The second check makes the assumptions that the certificate names, and no others.
 TEST_F(Certificates, RestOnTheAssumptionsThatTheyName) {
   expectToRestOn("no outage", "exit within 62 min", kPatrol);

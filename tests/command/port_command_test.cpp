@@ -361,6 +361,17 @@ TEST_F(PortCommand, PumpAndBatteryAreOthers) {
   EXPECT_THAT(built.err, AllOf(HasSubstr("GL4015"), HasSubstr("`pump`"), HasSubstr("`battery`")));
 }
 
+TEST_F(PortCommand, ANapIsAnother) {
+  write("sleeps.mission",
+        "mission sleeps\nnap at most 4 min\n\nstate s\nbegin\n"
+        "  flightprofile yo(4 m, 20 m, 26 deg, 26 deg)\n"
+        "  sensors missiontime\n  events\n    case missiontime > 1 h exit\nend\n");
+  const Outcome built = run("build sleeps.mission --dialect extctl -o port");
+  EXPECT_EQ(built.status, 1);
+  EXPECT_THAT(built.err, AllOf(HasSubstr("GL4015"), HasSubstr("`nap`"),
+                               HasSubstr("delete the line `nap at most`")));
+}
+
 // accepts: GL5131
 TEST_F(PortCommand, MoreSensorsThanThePortHasAreAnError) {
   std::string text =

@@ -109,7 +109,45 @@ void putNotes(const GliderContext* context) {
   put(context->lost_notes);
 }
 
-void writeTick(const GliderContext* context) {
+/// What the generated code says of the next ticks.
+struct Told {
+  double seconds;
+  uint32_t awake;
+  uint32_t count;
+  uint64_t words[3 * 256];
+} told;
+
+void tell(uint64_t kind, uint32_t sensor, double number) {
+  if (3 * told.count == sizeof told.words / sizeof told.words[0]) {
+    giveUp("too much can be foreseen");
+  }
+  uint64_t* row = &told.words[3 * told.count++];
+  row[0] = kind;
+  row[1] = sensor;
+  memcpy(&row[2], &number, sizeof number);
+}
+
+void putForeseen(GliderContext* context) {
+  GliderForesee* foresee = context->mission->states[context->state]->foresee;
+  if (context->mission->naps == nullptr || context->finished != 0) {
+    return;
+  }
+  told.seconds = 1e300;
+  told.awake = foresee == nullptr ? 1 : 0;
+  told.count = 0;
+  if (foresee != nullptr) {
+    foresee(context, nullptr);
+  }
+  put(told.awake);
+  if (told.awake == 0) {
+    putNumber(told.seconds);
+    for (uint32_t i = 0; i < 3 * told.count; ++i) {
+      put(told.words[i]);
+    }
+  }
+}
+
+void writeTick(GliderContext* context) {
   put(context->state);
   put(context->finished);
   put(context->limit);
@@ -137,6 +175,7 @@ void writeTick(const GliderContext* context) {
   for (uint32_t i = 0; i < state->log_count; ++i) {
     putNumber(gliderLogValue(context, i));
   }
+  putForeseen(context);
   const uint64_t count = word_count;
   if (fwrite(&count, sizeof count, 1, records) != 1 ||
       fwrite(words, sizeof words[0], word_count, records) != word_count) {
@@ -230,6 +269,26 @@ extern "C" double gliderTestMet(double a, double b, double c, double d, double e
 extern "C" double gliderTestPing(double mission_time) {
   externalAsked(&externals, 4, mission_time);
   return externalAnswer(&externals);
+}
+
+// In place of runtime/naps: what its functions are called with, in order.
+extern "C" void gliderNapAfterTick(void*, const void*) {}
+extern "C" void gliderNapAwake(GliderNap*) {
+  told.awake = 1;
+}
+extern "C" void gliderNapUntil(GliderNap*, double seconds) {
+  told.seconds = seconds >= 0 && seconds < told.seconds ? seconds : told.seconds;
+}
+extern "C" void gliderNapCrossed(GliderNap*, const GliderContext*, uint32_t sensor, double number) {
+  if (number == number) {
+    tell(0, sensor, number);
+  }
+}
+extern "C" void gliderNapKnown(GliderNap*, const GliderContext*, uint32_t sensor) {
+  tell(1, sensor, 0);
+}
+extern "C" void gliderNapLost(GliderNap*, const GliderContext*, uint32_t sensor) {
+  tell(2, sensor, 0);
 }
 
 // The commands, in the order of ir/core/commands.def.

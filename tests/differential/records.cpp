@@ -3,6 +3,7 @@
 
 #include "tests/differential/records.h"
 
+#include "ir/eval/foresee.h"
 #include "ir/eval/interpreter.h"
 #include "ir/opt/optimise.h"
 #include "ir/verify/verify.h"
@@ -96,6 +97,28 @@ void appendMoves(const ir::TickResult& tick, Words& words) {
   }
 }
 
+/// Of a mission that may sleep: what ir/eval foresees.
+void appendForeseen(const Trial& trial, const ir::Interpreter& interpreter,
+                    const ir::TickResult& tick, Words& words) {
+  if (!trial.mission.nap_s || tick.finished) {
+    return;
+  }
+  const ir::Wake wake = ir::wakeOf(trial.mission, tick.state);
+  const ir::Foreseen foreseen = ir::foresee(interpreter, wake, tick);
+  words.push_back(foreseen.awake ? 1 : 0);
+  if (foreseen.awake) {
+    return;
+  }
+  words.push_back(wordOf(std::min(foreseen.seconds, 1e300)));
+  for (const ir::Foreseen::Cause& cause : foreseen.causes) {
+    words.push_back(cause.kind == ir::WakeKind::Crossed ? 0
+                    : cause.kind == ir::WakeKind::Known ? 1
+                                                        : 2);
+    words.push_back(cause.sensor.index);
+    words.push_back(std::bit_cast<uint64_t>(cause.number));
+  }
+}
+
 Words record(const Trial& trial, const ir::Interpreter& interpreter, const ir::TickResult& tick) {
   Words words;
   appendActions(trial.mission, tick, words);
@@ -108,6 +131,7 @@ Words record(const Trial& trial, const ir::Interpreter& interpreter, const ir::T
     const ir::Value value = interpreter.evaluate(item.value);
     words.push_back(wordOf(ir::asNumber(value)));
   }
+  appendForeseen(trial, interpreter, tick, words);
   return words;
 }
 
@@ -122,6 +146,9 @@ Trial randomTrial(uint64_t seed, size_t ticks, bool optimised) {
   if (optimised) {
     trial.name += ", optimised";
     trial.mission = ir::optimise(std::move(trial.mission));
+  }
+  if (seed % 3 == 0) {
+    trial.mission.nap_s = 240;
   }
   support::DiagnosticEngine diagnostics;
   trial.stack_depth = ir::verify(trial.mission, diagnostics).stack_depth;

@@ -19,7 +19,9 @@
 /// then state, finished, limit, whether just returned, fired case of each list (UINT32_MAX: none),
 /// list and case of the transition, depth of the stack, for each frame: state, time entered, limit;
 /// the variables; number of notes, for each: kind, FNV-1a of the text, number of values and they;
-/// lost notes; the first condition that fails; the value of each log item.
+/// lost notes; the first condition that fails; the value of each log item. Of a mission that may
+/// sleep, while it flies: 1 if it must not now; else 0, the time alone, and for each other cause
+/// its kind, sensor and number.
 namespace glider::differential {
 
 using Words = std::vector<uint64_t>;

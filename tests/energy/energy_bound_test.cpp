@@ -36,7 +36,7 @@ EnergyBound boundOf(const std::string& text, double board_W = 0) {
   const auto compiled = compiler::compileText("test.mission", "mission test\n" + text);
   EXPECT_TRUE(compiled && compiled->checked) << text;
   const auto bound = ir::prove::energyBoundOf(compiled->checked->mission(), slocum(),
-                                              platforms::BoardPower{board_W, 0, ""},
+                                              platforms::BoardPower{board_W, 0, "", {}},
                                               ir::prove::Parameters::AsWritten);
   EXPECT_TRUE(bound) << text;
   return bound.value_or(EnergyBound{});

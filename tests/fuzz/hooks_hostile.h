@@ -7,6 +7,7 @@
 #include "hooks/hookbeh/hookbeh.h"
 #include "hooks/hookprog/hookprog.h"
 #include "hooks/protocol/messages.h"
+#include "hooks/protocol/nap.h"
 #include "hooks/protocol/sensor_list.h"
 #include "hooks/protocol/tick.h"
 #include "tests/slocum.h"
@@ -123,6 +124,12 @@ inline void decodeAll(const Frame& frame) {
     encode(note, again);
     require(again.size <= frame.size);
   }
+  Nap nap;
+  if (decode(frame, hostileSubscription(), nap)) {  // the value of Known goes as 0
+    Frame again;
+    encode(nap, again);
+    require(again.size == frame.size && decode(again, hostileSubscription(), nap));
+  }
   requireSameTick(frame);
   SensorList list;
   if (decodeList(frame, list)) {
@@ -191,6 +198,7 @@ inline void feedClient(const uint8_t* bytes, uint32_t count) {
     if (event == ClientEvent::Tick) {
       require(client.tick().reading_count <= kMostSubscriptions);
       client.instruct({});
+      client.nap({});
       client.done({}, stream);
     } else if (event == ClientEvent::Nothing && hostile.count == 0) {
       break;

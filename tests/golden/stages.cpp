@@ -97,7 +97,7 @@ class Compilation {
       ir::prove::Options options;
       options.library = library_.standard_library;
       options.report = true;
-      options.board = platforms::BoardPower{3.42, 0.1, "as ts7800"};
+      options.board = platforms::BoardPower{3.42, 0.1, "as ts7800", {}};
       show(ir::prove::prove(*mission_, facts_, platform_, options, diagnostics_));
     }
   }

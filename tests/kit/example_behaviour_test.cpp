@@ -95,6 +95,7 @@ TEST(ExampleBehaviour, DoesWhatHookbehDoes) {
   Array array;
   array.values.fill(hookUnknown());
   HookbehArgs args;
+  args.nap_secs = 120;
   HookHull limits;
   exampleHull(&limits);
   const ExampleFlight flight = flightOn(array);
@@ -138,6 +139,7 @@ TEST(ExampleBehaviour, DoesWhatHookbehDoes) {
     ASSERT_EQ(v[GLIDER_X_HOOK_SEQUENCE], out.answered_sequence) << cycle;
     ASSERT_EQ(v[GLIDER_X_HOOK_SESSION], out.session) << cycle;
     ASSERT_EQ(v[GLIDER_X_HOOK_GUARD], static_cast<double>(out.guard)) << cycle;
+    ASSERT_EQ(v[GLIDER_X_HOOK_NAP_SECS], 120) << cycle;
     accepted += out.answer == HookAnswer::Accepted ? 1U : 0U;
   }
   EXPECT_GT(commands, 1000U);

@@ -22,7 +22,7 @@ SENSORS = [
     ("sci_hook_lateral", 1, True), ("sci_hook_heading", 4, True), ("sci_hook_lat", 8, True), ("sci_hook_lon", 8, True),
     ("sci_hook_check", 8, True), ("sci_hook_heartbeat", 4, True), ("x_hook_sequence", 4, False), ("x_hook_answer", 1, False),
     ("x_hook_session", 4, False), ("m_present_time", 8, False), ("sci_water_temp", 4, True), ("m_device", 1, False),
-    ("sci_hook_sampling", 8, True)]
+    ("sci_hook_sampling", 8, True), ("x_hook_nap_secs", 4, False)]
 NUMBER = {name: number for number, (name, _, _) in enumerate(SENSORS)}
 WIDTH = {name: width for name, width, _ in SENSORS}
 HASH = 0x5EA1CE5
@@ -73,6 +73,10 @@ REFUSED = [(kind, payload) for kind, good in (
     ("Subscribe", wire.subscribe([(len(SENSORS), 1, 0)])), ("Subscribe", wire.subscribe([(2, 0, 0)])),
     ("Subscribe", wire.subscribe([(2, 1, -0.5)])), ("Subscribe", wire.subscribe([(2, 1, NAN)])), ("Subscribe", wire.subscribe([(2, 1, INFINITY)])),
     ("Subscribe", wire.subscribe([(2, 1, 0)] * 65)), ("Write", wire.write([(len(SENSORS), 4, 20)])), ("Write", wire.write([(8, 1, 2)] * 84)),
+    ("Nap", b""), ("Nap", wire.nap(0, 1, [])[:-1]), ("Nap", wire.nap(0, 1, []) + b"\0"), ("Nap", wire.nap(0, 0, [])),
+    ("Nap", wire.nap(0, 1, [(2, 0, 5.0)])[:-1]), ("Nap", wire.nap(0, 1, [(2, 0, NAN)])), ("Nap", wire.nap(0, 1, [(2, 1, NAN)])),
+    ("Nap", wire.nap(0, 1, [(2, 4, 5.0)])), ("Nap", wire.nap(0, 1, [(1, 0, 5.0)])), ("Nap", wire.nap(0, 1, [(len(SENSORS), 2, 0.0)])),
+    ("Nap", wire.nap(0, 1, [(2, 0, 5.0)] * 33)),
     ("Write", bytes((84,)) + wire.write([(8, 1, 2)] * 83)[1:]),  # one less than it says, in the most bytes
 ]
 
@@ -99,7 +103,9 @@ class Session:
         self.steps, self.now, self.virtual = [], start - 1, virtual_time
         self.out, self.said = start % 16777215 % 256, 0
         self.heart = start % 16777215
-        self.report = {"virtual": virtual_time, "link": 0, "time": 0, "cycle": 0, "state": 0, "answer": 0, "answered": 0, "session": 0,
+        self.odd = 0
+        self.kept = []
+        self.report = {"virtual": virtual_time, "kept": False, "link": 0, "time": 0, "cycle": 0, "state": 0, "answer": 0, "answered": 0, "session": 0,
                        "clock": 0}
         self.subscription = b"\0"
 
@@ -145,11 +151,27 @@ class Session:
         return self
 
     def beacon(self):
-        offers = 14 | self.virtual
+        offers = 30 | self.virtual
         return self.sends("Beacon", wire.PAYLOADS["Beacon"](6, offers, int(self.virtual), HASH, self.report["state"]))
 
     def tick(self, *reports):
         return self.sends("Tick", wire.tick(self.report, self.subscription, reports))
+
+    def keeps(self, *reports):
+        """hookprog numbers the Tick of this cycle, keeps it, and beats in the place of the SBC."""
+        self.out = (self.out + 1) % 256
+        self.kept.append((self.out, dict(self.report), reports))
+        self.heart += 1 if (self.heart + 1) % 2 == self.odd else 2
+        return self.sets(("sci_hook_heartbeat", -self.heart))
+
+    def sends_kept(self):
+        """hookprog sends all that it has kept; returns their numbers."""
+        numbers = [number for number, _, _ in self.kept]
+        for number, report, reports in self.kept:
+            payload = wire.tick(dict(report, kept=number != numbers[-1]), self.subscription, reports)
+            self.steps[-1].sent += wire.frame(wire.TYPES["Tick"], number, payload)
+        self.kept = []
+        return numbers
 
     def sets(self, *pairs):
         """hookprog sets these sensors of the science computer, in this order."""
@@ -161,6 +183,8 @@ class Session:
         return self.sets(("sci_hook_heartbeat", self.heart))
 
     def event(self, kind, *numbers, time=None, text=""):
+        if kind == "SbcNap":  # the numbers of its heartbeats: odd in the first, then even, and so on
+            self.odd = 1 - self.odd
         self.steps[-1].events.append(Event(kind, self.report["time"] if time is None else time, *numbers, text=text))
         return self
 
@@ -329,8 +353,38 @@ def long():
     return s.steps
 
 
+def napped():
+    """Z1 to Z8: a nap that a value ends, one that hookbeh does not allow, and one from which the SBC does not come back."""
+    s = Session(500)
+    s.cycle(4.0, 1, x_hook_state=3, x_hook_session=7, x_hook_nap_secs=43).beacon()
+    s.second().link(4, "sleeps", features=31).subscribe(("m_depth", 1, 0.5), ("m_lat", 3, 0)).done(s.out, 7, 1, 1, 1, 1).beats()
+    s.cycle(8.0, 2, x_hook_state=3, m_depth=5, m_lat=3910.5).tick((4, 5), (8, 3910.5))
+    s.second().sbc("Nap", wire.nap(3, 41, [])).done(s.out, 7, 5, 1, 1, 1).beats()  # longer than it may be
+    s.cycle(12.0, 3, x_hook_state=3, m_depth=5).tick("same", None)
+    s.second().sbc("Nap", wire.nap(3, 40, [(NUMBER["m_depth"], 0, 20.5), (NUMBER["m_lat"], 1, 0.0)])).done(s.out, 7, 9, 1, 1, 1)
+    s.beats().event("SbcNap", 40, 2)
+    s.cycle(16.0, 4, x_hook_state=3, m_depth=6, m_lat=3910.6).keeps((4, 6), None)
+    s.cycle(20.0, 5, x_hook_state=3, m_depth=6.25, m_lat=3910.6).keeps((4, 6), (8, 3910.6))  # within the dead band: the value from before once more
+    s.cycle(24.0, 6, x_hook_state=3, m_depth=20.5, m_lat=3910.7).keeps((4, 20.5), None).event("SbcWoken", 1, 3)
+    s.second().second().second()
+    numbers = s.sends_kept()
+    s.second()
+    for time, number in enumerate(numbers, 13):
+        s.done(number, 7, time, 1, 1, 1).beats()
+    s.cycle(28.0, 7, x_hook_state=3, m_depth=20.25).tick("same", None)
+    s.second().sbc("Nap", wire.nap(0, 8, [])).done(s.out, 7, 25, 1, 1, 1).beats().event("SbcNap", 8, 0)
+    s.cycle(32.0, 8, x_hook_state=3, m_depth=3).keeps((4, 3), None)
+    s.cycle(36.0, 9, x_hook_state=3, m_depth=3).keeps((4, 3), None).event("SbcWoken", 2, 2).sends_kept()
+    for _ in range(11):
+        s.second()
+    s.second().event("SbcLost", 4)
+    s.cycle(40.0, 10, x_hook_state=3).beacon()
+    return s.steps
+
+
 ALL_AT_ONCE = 2048
 # (name, in virtual time, bytes that the line takes in a second, seconds)
 SESSIONS = [("a flight", False, ALL_AT_ONCE, flown()), ("a slow line", False, 11, flown()), ("refusals", True, ALL_AT_ONCE, refused()),
             ("no answer", False, ALL_AT_ONCE, unanswered()), ("a long link", False, ALL_AT_ONCE, long()),
-            ("instruments", False, ALL_AT_ONCE, sampled()), ("instruments of before", False, ALL_AT_ONCE, sampled_before())]
+            ("instruments", False, ALL_AT_ONCE, sampled()), ("instruments of before", False, ALL_AT_ONCE, sampled_before()),
+            ("naps", False, ALL_AT_ONCE, napped())]

@@ -292,10 +292,15 @@ static bool isRead(const HookFrame* frame) {
   HookMissionNote note;
   HookSubscribe subscribe;
   HookSensorList list;
+  HookNap nap;
+  HookSubscribe subscription;
+  memset(&subscription, 0, sizeof subscription);
+  subscription.count = 1;
+  subscription.sensors[0].id = 2;
   return hookDecodeHello(frame, &hello) || hookDecodeTransition(frame, &notice) ||
          hookDecodeDone(frame, &done) || hookDecodeNote(frame, &note) ||
          hookDecodeSubscribe(&kDictionary, frame, &subscribe) ||
-         hookDecodeList(&kDictionary, frame, &list);
+         hookDecodeList(&kDictionary, frame, &list) || hookDecodeNap(frame, &subscription, &nap);
 }
 
 static void checkMessages(void) {

@@ -7,7 +7,7 @@ import struct
 
 VERSION = 6
 TYPES = {"Beacon": 0x01, "Welcome": 0x02, "Tick": 0x03, "Hello": 0x11, "Subscribe": 0x12, "Write": 0x13, "Transition": 0x14, "Done": 0x15,
-         "Note": 0x16, "Log": 0x31}
+         "Note": 0x16, "Nap": 0x17, "Log": 0x31}
 MOST_PAYLOAD = 560
 # (steps per unit, most steps) of the real numbers of an instruction, in the order of the check value.
 REALS = {"depth": (1000, 3000000), "pitch": (100000, 3000000), "heading": (100000, 3000000), "latitude": (100000, 2000000000),
@@ -176,6 +176,12 @@ def write(values):
                                             for sensor, width, value in values)
 
 
+def nap(wake, length, conditions):
+    """`conditions`: of (sensor number, kind, value)."""
+    return struct.pack("<BHB", wake, length, len(conditions)) + b"".join(struct.pack("<HB", sensor, kind) + number(value)
+                                                                         for sensor, kind, value in conditions)
+
+
 def bit_map(bits):
     return bytes(sum(1 << place for place, bit in enumerate(bits[at:at + 8]) if bit) for at in range(0, len(bits), 8))
 
@@ -184,7 +190,7 @@ def tick(head, subscription, reports):
     """`reports`: of each subscribed sensor None (not reported), "same", or (width, value)."""
     link, time, cycle, state, answer, answered, session, clock = head["link"], head["time"], head["cycle"], head["state"], head["answer"], \
         head["answered"], head["session"], head["clock"]
-    coded = bytes((4 * head["virtual"],)) + u24(link) + struct.pack("<f", time) + u24(cycle)
+    coded = bytes((4 * head["virtual"] + 8 * head["kept"],)) + u24(link) + struct.pack("<f", time) + u24(cycle)
     coded += struct.pack("<HBBH", crc16(subscription[1:]), state, answer, answered) + u24(session) + struct.pack("<I", clock)
     coded += bit_map([one is not None for one in reports]) + bit_map([isinstance(one, tuple) for one in reports])
     return coded + b"".join(to_wire(*one).to_bytes(one[0], "little") for one in reports if isinstance(one, tuple))

@@ -120,7 +120,7 @@ void ToySeat::obey(const hooks::Instruction& instruction) {
   obeyed_ = instruction;
 }
 
-void ToySeat::beat(void* self, uint32_t /*heartbeat*/) {
+void ToySeat::beat(void* self, uint32_t /*heartbeat*/, bool /*asleep*/) {
   auto& toy = *static_cast<ToySeat*>(self);
   toy.beat_s_ = toy.now_s_;
 }

@@ -45,7 +45,7 @@ class ToySeat final : public SimulatedSeat {
  private:
   static bool reading(void* self, uint16_t id, double* value);
   static void write(void* self, const hooks::SensorList* instruction);
-  static void beat(void* self, uint32_t heartbeat);
+  static void beat(void* self, uint32_t heartbeat, bool asleep);
   void obey(const hooks::Instruction& instruction);
   void steer(Vehicle& vehicle) const;
 

@@ -43,9 +43,8 @@ class ToyMission final : public OwnMission {
       const ir::WrittenWorld& /*world*/) const override {
     return std::nullopt;
   }
-  [[nodiscard]] WayHome wayHomeFrom(double depth_m,
-                                    const platforms::Platform& platform) const override {
-    return {0, depth_m, depth_m / platform.world.slowest_climb_m_s, "a toy"};
+  [[nodiscard]] WayHome wayHomeFrom(double depth_m, const ir::WrittenWorld& world) const override {
+    return {0, depth_m, depth_m / world.platform.world.slowest_climb_m_s, "a toy"};
   }
   [[nodiscard]] std::vector<std::string> wayHomeLines(
       const ir::WidestWorld& /*world*/) const override {

@@ -43,6 +43,7 @@ enum class Kind : uint8_t {
   kByName,
   kMission,
   kHolds,
+  kForesee,
   kSensors
 };
 

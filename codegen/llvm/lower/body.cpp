@@ -6,12 +6,15 @@
 namespace glider::codegen {
 
 llvm::Function* declareFunction(Lowering& lowering, const std::string& name, Body::Result result,
-                                unsigned more) {
+                                unsigned more, bool place) {
   llvm::LLVMContext& context = lowering.module.getContext();
   llvm::Type* word = llvm::Type::getInt32Ty(context);
   llvm::Type* results[] = {llvm::Type::getVoidTy(context), word};
   std::vector<llvm::Type*> parameters(1 + more, word);
   parameters[0] = llvm::PointerType::getUnqual(context);
+  if (place) {
+    parameters.push_back(parameters[0]);
+  }
   auto* type = llvm::FunctionType::get(results[static_cast<size_t>(result)], parameters, false);
   auto* function =
       llvm::Function::Create(type, llvm::GlobalValue::ExternalLinkage, name, lowering.module);
@@ -29,8 +32,8 @@ void showToParts(llvm::Function& function) {
 namespace {
 
 llvm::Function* makeFunction(Lowering& lowering, const std::string& name, Body::Result result,
-                             unsigned more) {
-  llvm::Function* function = declareFunction(lowering, name, result, more);
+                             unsigned more, bool place) {
+  llvm::Function* function = declareFunction(lowering, name, result, more, place);
   function->setVisibility(llvm::GlobalValue::DefaultVisibility);
   function->setLinkage(llvm::GlobalValue::InternalLinkage);
   function->addFnAttr(llvm::Attribute::MinSize);
@@ -41,9 +44,9 @@ llvm::Function* makeFunction(Lowering& lowering, const std::string& name, Body::
 }  // namespace
 
 Body::Body(Lowering& shared, const std::string& name, Result result, unsigned more,
-           const std::string& title, support::SourceRange range)
+           const std::string& title, support::SourceRange range, bool place)
     : lowering(shared),
-      function(makeFunction(shared, name, result, more)),
+      function(makeFunction(shared, name, result, more, place)),
       builder(&function->getEntryBlock()),
       expressions(shared, builder, function->getArg(0)) {
   if (!title.empty()) {

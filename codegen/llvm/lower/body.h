@@ -15,13 +15,14 @@
 namespace glider::codegen {
 
 /// A function of the generated module while it is written: internal, does not unwind, strict IEEE.
-/// Its first parameter is the GliderContext, all others are u32.
+/// Its first parameter is the GliderContext; all others are u32, except for a last pointer if it
+/// has a `place`.
 struct Body {
   enum class Result : uint8_t { None, Word };
   /// `more` parameters after the context. A debugger shows it as `title` at `range`; without a
   /// title it has no line table.
   Body(Lowering& shared, const std::string& name, Result result, unsigned more,
-       const std::string& title = "", support::SourceRange range = {});
+       const std::string& title = "", support::SourceRange range = {}, bool place = false);
 
   [[nodiscard]] llvm::Value* context() const { return function->getArg(0); }
   /// A new basic block at the end.
@@ -38,7 +39,7 @@ struct Body {
 
 /// Declares a function with the type of a Body that another part of the mission defines.
 llvm::Function* declareFunction(Lowering& lowering, const std::string& name, Body::Result result,
-                                unsigned more);
+                                unsigned more, bool place = false);
 /// Makes it visible to the other parts.
 void showToParts(llvm::Function& function);
 

@@ -58,6 +58,7 @@ StateFunctions lowerState(Lowering& lowering, uint32_t index, bool profile) {
   functions.profile = profile ? lowerProfile(lowering, index)
                               : declareFly(lowering, index, state.profile, "profile");
   functions.route = lowerFly(lowering, index, state.route, "route", blocks.route);
+  functions.foresee = lowerForesee(lowering, index);
   return functions;
 }
 

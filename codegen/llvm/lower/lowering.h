@@ -60,6 +60,7 @@ struct StateFunctions {
   llvm::Function* advance = nullptr;
   llvm::Function* profile = nullptr;
   llvm::Function* route = nullptr;
+  llvm::Function* foresee = nullptr;
 };
 struct MissionFunctions {
   llvm::Function* begin = nullptr;
@@ -87,6 +88,8 @@ llvm::Function* lowerFly(Lowering& lowering, uint32_t state, const ir::Activity&
 /// Declares the same function, which another part of the mission defines.
 llvm::Function* declareFly(Lowering& lowering, uint32_t state, const ir::Activity& activity,
                            const std::string& kind);
+/// GliderForesee of a state; null: the SBC never sleeps in it.
+llvm::Function* lowerForesee(Lowering& lowering, uint32_t state);
 llvm::Function* lowerBegin(Lowering& lowering);
 llvm::Function* lowerCondition(Lowering& lowering);
 

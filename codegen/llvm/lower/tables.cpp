@@ -6,8 +6,10 @@
 #include "codegen/llvm/lower/guard_table.h"
 #include "codegen/llvm/lower/lowering.h"
 #include "hooks/protocol/features.h"
+#include "hooks/protocol/nap_times.h"
 #include "ir/core/parameter_info.h"
 #include "ir/core/sampling.h"
+#include "ir/core/walk.h"
 #include "ir/worlds/start_depth.h"
 #include "platforms/load/dictionary.h"
 #include "runtime/abi/glider_abi.h"
@@ -67,9 +69,22 @@ size_t neededFor(ir::Command command) {
   return 0;
 }
 
+/// How many variables, from the first on, are not set by the block that runs in every tick alone:
+/// nothing else reads those, and opt/prepare_for_flight puts them last.
+size_t decidingVariables(const ir::Mission& mission) {
+  size_t first = mission.variables.size();
+  ir::forEachStatement(mission, mission.every_tick, [&](const ir::Statement& statement) {
+    if (statement.kind == ir::StatementKind::Set) {
+      first = std::min<size_t>(first, statement.variable.index);
+    }
+  });
+  return first;
+}
+
 /// What the vehicle must offer. What a profile or route in C commands is not known.
 size_t neededFeatures(const ir::Mission& mission) {
   size_t needs = ir::samples(mission) ? hooks::kFeatureSampling : 0;
+  needs |= mission.nap_s ? hooks::kFeatureNaps : 0U;
   for (const ir::Block& block : mission.blocks) {
     for (const ir::Statement& statement : block.statements) {
       needs |= statement.kind == ir::StatementKind::Command ? neededFor(statement.command) : 0U;
@@ -108,6 +123,7 @@ class Tables {
   llvm::Constant* dictionary();
   llvm::Constant* poll(const ir::Sensor& sensor);
   llvm::Constant* compass();
+  llvm::Constant* naps();
   llvm::Constant* function(const char* name);
   llvm::Constant* states();
   llvm::Constant* parameters();
@@ -170,6 +186,21 @@ llvm::Constant* Tables::compass() {
                            : "gliderHear")});
   auto* variable = new llvm::GlobalVariable(lowering_.module, lowering_.types.GliderCompass, true,
                                             llvm::GlobalValue::PrivateLinkage, value, "compass");
+  variable->setUnnamedAddr(llvm::GlobalValue::UnnamedAddr::Global);
+  return variable;
+}
+
+llvm::Constant* Tables::naps() {
+  const std::optional<double> longest = lowering_.mission.nap_s;
+  if (!longest) {
+    return nothing();
+  }
+  llvm::Constant* value = llvm::ConstantStruct::get(
+      lowering_.types.GliderNaps,
+      {number(*longest), word(kHookMostWakeSecs), word(decidingVariables(lowering_.mission)),
+       function("gliderNapAfterTick")});
+  auto* variable = new llvm::GlobalVariable(lowering_.module, lowering_.types.GliderNaps, true,
+                                            llvm::GlobalValue::PrivateLinkage, value, "naps");
   variable->setUnnamedAddr(llvm::GlobalValue::UnnamedAddr::Global);
   return variable;
 }
@@ -252,7 +283,8 @@ llvm::Constant* Tables::state(const ir::State& state, const StateFunctions& func
       lowering_.types.GliderStateInfo,
       {text(state.name), cases(state.cases, state.name), log(state), code(functions.guards),
        code(functions.act), code(functions.enter), code(functions.advance), code(functions.profile),
-       code(functions.route), word(state.cases.size()), word(state.log.size())});
+       code(functions.route), code(functions.foresee), word(state.cases.size()),
+       word(state.log.size())});
 }
 
 /// An array of pointers, because a state may be in another part of the mission.
@@ -297,7 +329,8 @@ llvm::Constant* Tables::mission(const MissionFunctions& functions) {
                                     code(functions.act),
                                     code(functions.condition),
                                     compass(),
-                                    dictionary()});
+                                    dictionary(),
+                                    naps()});
 }
 
 }  // namespace

@@ -46,6 +46,7 @@ constexpr Row kRows[] = {
     {phrases::choice, among<GliderLexer::CHOOSE, GliderLexer::NAME>},
     {phrases::preference, among<GliderLexer::PREFER, GliderLexer::NAME>},
     {phrases::pack, among<GliderLexer::PACK, GliderLexer::NAME>},
+    {phrases::nap, among<GliderLexer::NAP, GliderLexer::NAME>},
     {phrases::sample,
      [](uint32_t type) {
        return isAnyName(type) || (type >= GliderLexer::AND && type <= GliderLexer::SEMICOLON) ||

@@ -58,6 +58,8 @@ size_t reaction(Phrase& phrase);
 size_t stateWordInPromise(Phrase& phrase);
 /// `pack 168 Ah, 14.4 V`, `pack 14.4 V 168 Ah`, `reserve = 20 %`.
 size_t pack(Phrase& phrase);
+/// `nap 4 min`, `sleep at most 4 min`, `nap up to 4 min`.
+size_t nap(Phrase& phrase);
 /// `choose bottom : length from 60 m to 180 m step 5 m`.
 size_t choice(Phrase& phrase);
 /// `prefer maximum bottom, endurance`, `maximise bottom`.

@@ -45,9 +45,10 @@ bool isTarget(uint32_t type) {
 
 /// Whether it begins a declaration, though it may also be a name.
 bool isSoftItem(uint32_t type) {
-  return oneOf(type, {GliderLexer::PLACE, GliderLexer::RESUME, GliderLexer::DECLINATION,
-                      GliderLexer::ASSUME, GliderLexer::SHARE, GliderLexer::VEHICLES,
-                      GliderLexer::PACK, GliderLexer::CHOOSE, GliderLexer::PREFER});
+  return oneOf(
+      type, {GliderLexer::PLACE, GliderLexer::RESUME, GliderLexer::DECLINATION, GliderLexer::ASSUME,
+             GliderLexer::SHARE, GliderLexer::VEHICLES, GliderLexer::PACK, GliderLexer::CHOOSE,
+             GliderLexer::PREFER, GliderLexer::NAP});
 }
 
 }  // namespace

@@ -71,6 +71,7 @@ class Declarations {
   void visit(const ast::Requirement&) {}
   void visit(const ast::Assumption&) {}
   void visit(const ast::Resumption&) {}
+  void visit(const ast::Nap&) {}
   void visit(const ast::Declination&) {}
   void visit(const ast::Share&) {}
   void visit(const ast::Vehicles&) {}

@@ -55,6 +55,9 @@ struct Judge {
   std::optional<Refused> operator()(const ast::Resumption& item) const {
     return Refused{"`resume`", item.where};
   }
+  std::optional<Refused> operator()(const ast::Nap& item) const {
+    return Refused{"`nap`", item.where};
+  }
   std::optional<Refused> operator()(const ast::Declination& item) const {
     return Refused{"`declination`", item.where};
   }

@@ -47,7 +47,8 @@ constexpr auto kRows = std::to_array<Row>({
     {"m_de_oil_vol", Decider::Commanded},
     {"m_battpos", Decider::Commanded},
     {"m_fin", Decider::Commanded},
-    // What hookbeh says of the commands. x_hook_guard and x_hook_masked are the vehicle's.
+    // What hookbeh says of the commands. x_hook_guard, x_hook_masked and x_hook_nap_secs are the
+    // vehicle's.
     {"x_hook_state", Decider::Commanded},
     {"x_hook_sequence", Decider::Commanded},
     {"x_hook_answer", Decider::Commanded},

@@ -137,6 +137,8 @@ class VehicleRules {
   [[nodiscard]] auto isObeyed(const Vehicle& before, const Vehicle& after,
                               const Number& now) const {
     // By the port each depth crosses by itself: what follows a surfacing may begin with a dive.
+    // After a nap (ir/worlds/naps.h) that is more than is needed: commands then come together, in
+    // order.
     const auto dived = before.top >= number(kFloats);
     const auto old = now >= before.since + number(late_s_) && dived;
     return platform_.world.command_delay_s > 0 ? old || after.top == before.top

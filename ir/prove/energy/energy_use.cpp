@@ -130,9 +130,19 @@ double GreatestPower::pumpIn(double cc) const {
   return pump(DrawWhen::PumpIn, cc, 0);
 }
 
+namespace {
+
+/// An SBC that naps may do so nearly all the time: nothing says that a mission must run it.
+double leastOf(const platforms::BoardPower& board, bool naps) {
+  const double watts = !naps ? board.running_W : board.sleep ? board.sleep->asleep_W : 0;
+  return watts * (1 - board.spread);
+}
+
+}  // namespace
+
 double restingPower(const Mission& mission, const platforms::Platform& platform,
                     const std::optional<platforms::BoardPower>& board) {
-  double watts = board ? board->running_W * (1 - board->spread) : 0;
+  double watts = board ? leastOf(*board, mission.nap_s.has_value()) : 0;
   for (const Draw& draw : platform.power.draws) {
     // A vehicle may lack what is drawn for while the mission reads it.
     if (draw.when == DrawWhen::Always && !switches(mission, draw)) {

@@ -20,7 +20,7 @@ constexpr double kCyclesToObey = 8;
 InstrumentShares::InstrumentShares(const LegContext& context)
     : context_(context),
       m_(context.seen.mission),
-      lag_s_(context.seen.platform.world.line_lag_s +
+      lag_s_(context.seen.platform.world.line_lag_s + context.seen.platform.world.command_delay_s +
              kCyclesToObey * context.seen.platform.envelope.cycle_s) {
   for (const platforms::Draw& draw : context.seen.platform.power.draws) {
     if (draw.instrument) {

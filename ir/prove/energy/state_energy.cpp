@@ -68,6 +68,7 @@ class StateGraph {
         deepest_m_(withinHull(platform_, deepest_m)),
         stroke_cc_(2 * platform_.envelope.pump_cc),
         stroke_s_(stroke_cc_ / platform_.motion->pump_rate_cc_s),
+        late_s_(platform_.world.command_delay_s),
         legs_(legsOf(context, state)),
         fastest_m_s_(fastest()) {}
 
@@ -262,8 +263,20 @@ class StateGraph {
       begun.stroke.pump_in_j = outwards ? 0 : in;
       begun.stroke.pitch_battery_s = model_.pitch_battery_turn_s;
     }
+    begun.stroke = begun.stroke + whileLate();
     return begun;
   }
+
+  /// What its pump and battery may do in addition while a command is late: where a depth is reached
+  /// and no command comes, hookbeh begins to hover.
+  [[nodiscard]] EnergyUse whileLate() const {
+    EnergyUse use = pumped(power_, platform_.motion->pump_rate_cc_s / 2 * late_s_, deepest_m_);
+    use.pitch_battery_s = late_s_;
+    return use;
+  }
+
+  /// Until a dive has left the surface, s.
+  [[nodiscard]] double startsDive() const { return model_.dive_start_s + late_s_; }
 
   /// Whether the vehicle may stay at the surface in a leg. A hover comes back to its depth with
   /// strokes of the whole pump, and may go beyond it as far as a turn does.
@@ -276,7 +289,7 @@ class StateGraph {
   /// A leg that lasts, from `least` seconds on: at each time from which on another device rests.
   [[nodiscard]] std::vector<EnergyUse> usesOf(const BegunLeg& begun, double least) const {
     std::vector<EnergyUse> uses;
-    for (const double s : {least, kSurfacing_s, model_.dive_start_s}) {
+    for (const double s : {least, kSurfacing_s, startsDive()}) {
       if (s >= least) {
         uses.push_back(useOf(begun, s));
       }
@@ -286,7 +299,7 @@ class StateGraph {
 
   /// What a leg takes in a second after all that happens at its beginning; a leg may last.
   [[nodiscard]] std::vector<EnergyUse> goesOn(const BegunLeg& begun) const {
-    const double settled = std::max(kSurfacing_s, model_.dive_start_s);
+    const double settled = std::max(kSurfacing_s, startsDive());
     return {useOf(begun, settled + 1) - useOf(begun, settled)};
   }
 
@@ -303,10 +316,10 @@ class StateGraph {
       use.surface_s = seconds;
       use.surfacings = std::min(1.0, seconds / kSurfacing_s);  // it may begin in a leg before
     } else if (begun.from_surface) {
-      use.surface_s = std::min(seconds, model_.dive_start_s);
+      use.surface_s = std::min(seconds, startsDive());
       use.surfacings = std::min(1.0, seconds / kSurfacing_s);  // one that began before
     } else if (begun.broached) {
-      use.surface_s = std::min(seconds, 2 * stroke_s_);
+      use.surface_s = std::min(seconds, 2 * stroke_s_ + late_s_);
     }
     return leg.drive == Drive::Hover || !leg.turns_there
                ? use + pumped(power_, platforms::hoverPump(model_, heldFrom(leg)) * seconds,
@@ -328,6 +341,7 @@ class StateGraph {
   const platforms::EnergyModel& model_;
   const GreatestPower& power_;
   double deepest_m_, stroke_cc_, stroke_s_;
+  double late_s_;  ///< how much later than usual a command is obeyed
   ProfileLegs legs_;
   double fastest_m_s_;
   std::vector<Phase> phases_;

@@ -104,6 +104,7 @@ constexpr auto kBounds = std::to_array<Bounds>({
     {"hookbeh", "max_pump", 0, 1000},
     {"hookbeh", "max_battery", 0, 3},
     {"hookbeh", "silence_secs", 8, 3600},
+    {"hookbeh", "nap_secs", 0, 3660},
     {"hookbeh", "hold_secs", 0, 3600},
     {"hookbeh", "d_bpump_value", -1000, 0},
     {"hookbeh", "c_bpump_value", 0, 1000},

@@ -344,6 +344,7 @@ void FlightController::tellHookIsOver() {
     array_.set(Sensor::x_hook_session, 0);
     array_.set(Sensor::x_hook_guard, 0);
     array_.set(Sensor::x_hook_masked, 0);
+    array_.set(Sensor::x_hook_nap_secs, 0);
   }
 }
 

@@ -26,6 +26,8 @@ class SbcProglet {
                    const GliderByteStream& sbc) = 0;
   virtual hooks::SeatEvent nextEvent() = 0;
   [[nodiscard]] virtual hooks::SbcView sbc() const = 0;
+  /// It does not expect the SBC to read its line now.
+  [[nodiscard]] virtual bool sbcMaySleep() const { return false; }
 };
 
 /// Makes the proglet, at the start of the science computer and after each restart.
@@ -42,6 +44,7 @@ class HookprogProglet final : public SbcProglet {
   }
   hooks::SeatEvent nextEvent() override { return hookprog_.nextEvent(); }
   [[nodiscard]] hooks::SbcView sbc() const override { return hookprog_.sbc(); }
+  [[nodiscard]] bool sbcMaySleep() const override { return !hookprog_.wantsSbc(); }
 
  private:
   hooks::Hookprog hookprog_;

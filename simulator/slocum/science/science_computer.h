@@ -47,6 +47,7 @@ class ScienceComputer {
   void damageBy(SensorDamage* damage) { damage_ = damage; }
   [[nodiscard]] hooks::SeatEvent nextEvent() { return proglet_->nextEvent(); }
   [[nodiscard]] hooks::SbcView sbc() const { return proglet_->sbc(); }
+  [[nodiscard]] bool sbcMaySleep() const { return proglet_->sbcMaySleep(); }
   /// The newest good reading of one of its own sensors, NaN before the first and of others.
   [[nodiscard]] double value(uint16_t id) const {
     return id < values_.size() ? values_[id] : std::numeric_limits<double>::quiet_NaN();

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "hooks/protocol/messages.h"
+#include "hooks/protocol/nap.h"
 #include "hooks/protocol/sensor_list.h"
 #include "hooks/protocol/tick.h"
 #include "tests/slocum.h"
@@ -76,6 +77,12 @@ inline std::vector<std::pair<std::string, Frame>> exampleFrames() {
       note.text[i] = "met it at 12 "[i];
     }
     encode(note, f);
+  });
+  add("Nap", 8, [](Frame& f) {
+    Nap nap{60, 600, 2, {}};
+    nap.conditions[0] = {GLIDER_M_DEPTH, NapKind::AtLeast, 20};
+    nap.conditions[1] = {GLIDER_M_LAT, NapKind::Known, 0};
+    encode(nap, f);
   });
   return examples;
 }

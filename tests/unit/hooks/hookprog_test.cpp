@@ -26,9 +26,7 @@ TEST_F(HookprogTest, BeaconsOnceAFlightCycleUntilThereIsALink) {
     ASSERT_EQ(typesOf(frames), (std::vector{Type::Beacon}));
     Beacon beacon;
     ASSERT_TRUE(decode(frames[0], beacon));
-    EXPECT_EQ(beacon.features, (Features{kFeatureVirtualTime | kFeatureFixedFin |
-                                             kFeatureActuators | kFeatureSampling,
-                                         kFeatureVirtualTime}));
+    EXPECT_EQ(beacon.features, (Features{kAllFeatures, kFeatureVirtualTime}));
     EXPECT_EQ(beacon.dictionary, gliderDictionary.hash);
     EXPECT_EQ(beacon.hook_state, HookState::Ready);
   }

@@ -26,10 +26,12 @@ bool taken(const Frame& frame) {
   TransitionNotice notice;
   MissionNote note;
   Done done;
+  Nap nap;
   const bool tick = decode(frame, head) && decode(frame, exampleSubscription(), readings);
   const int takers = decode(frame, beacon) + decode(frame, welcome) + tick + decode(frame, hello) +
                      decode(frame, subscribe) + decode(frame, notice) + decode(frame, done) +
-                     decode(frame, note) + decodeList(frame, list);
+                     decode(frame, note) + decodeList(frame, list) +
+                     decode(frame, exampleSubscription(), nap);
   EXPECT_LE(takers, 1);
   return takers == 1;
 }

@@ -308,6 +308,16 @@ TEST(IrText, CompassesComeBack) {
   }
 }
 
+TEST(IrText, NapsComeBack) {
+  const std::string text = kHeader + "state a route drift () profile glide () case true exit";
+  EXPECT_FALSE(missionOf(text).nap_s);
+  Mission mission = missionOf(text);
+  mission.nap_s = 240.5;
+  const std::string printed = print(mission);
+  EXPECT_NE(printed.find("\nnap 240.5\n"), std::string::npos) << printed;
+  EXPECT_EQ(missionOf(printed).nap_s, 240.5);
+}
+
 TEST(IrText, SharesComeBack) {
   const std::string text =
       kTalking + stateText("a", "case (gt (sensor \"peer.top\") 5:length) exit");

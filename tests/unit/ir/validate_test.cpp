@@ -47,6 +47,20 @@ TEST(Validate, AcceptsASoundMission) {
   EXPECT_TRUE(validate(whole()).empty());
 }
 
+TEST(Validate, ANapHasALength) {
+  for (const double good : {0.5, 240.0}) {
+    Mission m = sound();
+    m.nap_s = good;
+    EXPECT_TRUE(validate(m).empty()) << good;
+  }
+  constexpr double kEndless = std::numeric_limits<double>::infinity();
+  for (const double wrong : {0.0, -1.0, kEndless, std::numeric_limits<double>::quiet_NaN()}) {
+    Mission m = sound();
+    m.nap_s = wrong;
+    EXPECT_EQ(validate(m).size(), 1U) << wrong;
+  }
+}
+
 /// Only a parameter that is a plain number counts something.
 TEST(Validate, TheUnitOfAVariable) {
   const auto valid = [](const std::string& variable, const std::string& initial,

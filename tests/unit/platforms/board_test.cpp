@@ -76,6 +76,25 @@ TEST(Board, WhatTheFileSaysIsReadOut) {
   EXPECT_THAT(board->link.after, testing::ElementsAre("libc.a"));
 }
 
+TEST(Board, MaySleep) {
+  const std::string power = "[power]\nrunning_W = 1.5\nspread = 0.2\nsource = \"x\"\n";
+  const auto of = [&](const std::string& more) {
+    return load(with("[link]", power + more + "[link]"));
+  };
+  const auto awake = of("");
+  ASSERT_TRUE(awake && awake->power);
+  EXPECT_FALSE(awake->power->sleep);
+  const auto sleeps = of("asleep_W = 0.25\nwake_s = 2\n");
+  ASSERT_TRUE(sleeps && sleeps->power && sleeps->power->sleep);
+  EXPECT_EQ(sleeps->power->sleep->asleep_W, 0.25);
+  EXPECT_EQ(sleeps->power->sleep->wake_s, 2);
+  EXPECT_TRUE(of("asleep_W = 1.5\nwake_s = 10\n"));
+  for (const char* wrong : {"asleep_W = 0.25\n", "wake_s = 2\n", "asleep_W = 1.6\nwake_s = 2\n",
+                            "asleep_W = -1\nwake_s = 2\n", "asleep_W = 0.25\nwake_s = 10.5\n"}) {
+    EXPECT_FALSE(of(wrong)) << wrong;
+  }
+}
+
 // accepts: GL5001; refused: GL5001
 TEST(Board, ErrorsAreReportedWithTheirLine) {
   const std::pair<std::string, std::string> bad[] = {

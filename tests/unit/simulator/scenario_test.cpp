@@ -126,7 +126,7 @@ TEST_F(ScenarioFile, ReadsTheOceansTables) {
 TEST_F(ScenarioFile, ReadsTheBatteryAndTheSensorsTables) {
   ASSERT_EQ(
       load(kHead + kStart +
-           "[vehicle.battery]\ncapacity_kJ = 400\nstart_V = 11\nsbc_W = 3.42\n"
+           "[vehicle.battery]\ncapacity_kJ = 400\nstart_V = 11\nsbc_W = 3.42\nsbc_asleep_W = 0.25\n"
            "[sensors.ctd]\nnoise_degC = 0.2\nnoise_Spm = 0.001\nrepeat_fraction = 0.1\nlate_s = 2\n"
            "non_monotonic_m = 0.7\nstale_climb = true\nstale_climb_count = 1\n"
            "[sensors.altimeter]\nrange_m = 40\ndropout = 0.1\n"),
@@ -135,6 +135,7 @@ TEST_F(ScenarioFile, ReadsTheBatteryAndTheSensorsTables) {
   EXPECT_EQ(scenario_.vehicle.battery.start_V, 11);
   EXPECT_EQ(scenario_.vehicle.battery.power.full_V, 14.4);
   EXPECT_EQ(scenario_.vehicle.battery.sbc_W, 3.42);
+  EXPECT_EQ(scenario_.vehicle.battery.sbc_asleep_W, 0.25);
   const CtdSettings& ctd = scenario_.sensors.ctd;
   EXPECT_EQ(ctd.noise_degC, 0.2);
   EXPECT_EQ(ctd.noise_Spm, 0.001);

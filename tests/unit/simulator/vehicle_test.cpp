@@ -165,6 +165,12 @@ TEST(Loads, EachDrawsWhenItsRowSays) {
   EXPECT_EQ(taken({.seconds = 10, .surfaces = true}), 20 + 400);
   EXPECT_EQ(taken({.seconds = 10}, true), 20) << "without the SBC nothing reads";
   EXPECT_EQ(taken({.seconds = 10, .sbc_powered = true}), 20 + 130);
+  EXPECT_EQ(taken({.seconds = 10, .sbc_powered = true, .sbc_asleep = true}), 20 + 130)
+      << "nothing is known of how it sleeps";
+  settings.sbc_asleep_W = 4;
+  EXPECT_EQ(taken({.seconds = 10, .sbc_powered = true, .sbc_asleep = true}), 20 + 40);
+  EXPECT_EQ(taken({.seconds = 10, .sbc_powered = true}), 20 + 130);
+  EXPECT_EQ(taken({.seconds = 10, .sbc_asleep = true}), 20);
   EXPECT_EQ(taken({.seconds = 10, .sbc_powered = true}, true), 20 + 130 + 50);
   EXPECT_EQ(taken({.seconds = 10, .depth_m = 40, .pumped_cc = 8}), 20 + 8 * (0.5 + 4));
   EXPECT_EQ(taken({.seconds = 10, .depth_m = 40, .pumped_cc = -8}), 20 + 8 * 0.25);

@@ -34,6 +34,15 @@ TEST(UsualSilence, IsThatOfHookbeh) {
   EXPECT_EQ(usualSilence().source, "assuming silence_secs 24; see --mi");
 }
 
+/// Of a mission that naps the file must say more: as much as it needs, with the time to wake.
+TEST(UsualSilence, OfASleepingSbcIsLonger) {
+  ir::Mission naps;
+  EXPECT_EQ(usualSilence(naps).seconds, 24);
+  naps.nap_s = 240;
+  EXPECT_EQ(usualSilence(naps).seconds, 24 + 280);
+  EXPECT_EQ(usualSilence(naps).source, "assuming silence_secs 24 and nap_secs 280; see --mi");
+}
+
 class SilenceOf : public ::testing::Test {
  protected:
   [[nodiscard]] support::Result<VehicleFile> of(const std::string& value) const {
@@ -68,6 +77,39 @@ TEST_F(SilenceOf, IsFromAboveNothingToTenMinutes) {
     ASSERT_FALSE(silence) << wrong;
     EXPECT_EQ(silence.error().id, support::diagnostics::skeletonErrors);
   }
+}
+
+TEST_F(SilenceOf, CountsTheNapsOfAMissionThatHasThem) {
+  const auto file = of("30\n    b_arg: nap_secs(s) 280");
+  ASSERT_TRUE(file);
+  ir::Mission mission;
+  EXPECT_EQ(silenceOf(*file, mission).seconds, 30);
+  mission.nap_s = 240;
+  EXPECT_EQ(silenceOf(*file, mission).seconds, 310);
+  EXPECT_EQ(silenceOf(*file, mission).source, "silence_secs 30 and nap_secs 280 from a.mi");
+  for (const char* wrong : {"7201", "-1", "1000003"}) {
+    EXPECT_FALSE(of(std::string("30\n    b_arg: nap_secs(s) ") + wrong)) << wrong;
+  }
+}
+
+/// hookbeh releases control if the SBC sleeps for longer than the beats on its behalf count.
+TEST_F(SilenceOf, IsTooShortForLongerNaps) {
+  const auto said = [&](const std::string& nap_secs, std::optional<double> nap_s) {
+    ir::Mission mission;
+    mission.nap_s = nap_s;
+    support::DiagnosticEngine diagnostics;
+    checkNaps(mission, *of("30\n    b_arg: nap_secs(s) " + nap_secs), {}, diagnostics);
+    const auto all = diagnostics.sorted();
+    return all.empty() ? std::string() : all.front().message;
+  };
+  EXPECT_EQ(said("0", std::nullopt), "");
+  EXPECT_EQ(said("280", 240), "");
+  EXPECT_EQ(said("249", 240),
+            "the SBC does not get control, or loses it: the mission lets it sleep for up to 4 min "
+            "0 s, and hookbeh releases control after 4 min 9 s (nap_secs 249 in a.mi)");
+  EXPECT_EQ(said("0", 240),
+            "the SBC does not get control, or loses it: the mission lets it sleep for up to 4 min "
+            "0 s, and hookbeh releases control in its first nap (nap_secs 0 in a.mi)");
 }
 
 TEST_F(SilenceOf, MayBeInAnArgumentFile) {

@@ -43,13 +43,13 @@ constexpr double kClimb = 120 + 500;     // s, from 25 m
 class WholeOf : public ::testing::Test {
  protected:
   [[nodiscard]] Whole of(const std::string& text, double deepest_m = kDeepest,
-                         const platforms::Platform& platform = hull()) const {
+                         const platforms::Platform& platform = hull(), bool naps = false) const {
     const std::string path = folder_.write("a.mi", text).string();
     support::SourceManager sources;
     support::DiagnosticEngine diagnostics;
     const auto mission = slocum::loadMission(path, sources, diagnostics, [](auto&&...) {});
     EXPECT_TRUE(mission) << path;
-    return mission ? wholeOf(*mission, platform, deepest_m) : Whole{};
+    return mission ? wholeOf(*mission, platform, deepest_m, naps) : Whole{};
   }
   [[nodiscard]] static std::string shipped(const std::string& name) {
     return tests::slurp(std::string(GLIDER_SOURCE_DIR) + "/scenarios/" + name);
@@ -425,6 +425,16 @@ TEST_F(WholeOf, TheSilenceMustBeAValidTime) {
         << wrong;
   }
   EXPECT_DOUBLE_EQ(seconds(kIdle + behaviour("hookbeh", "silence_secs(s) 100")), 100 + 48 + kClimb);
+}
+
+/// The beats on behalf of an SBC that has died in its sleep count for so long.
+TEST_F(WholeOf, TheNapsOfAMissionThatHasThemCount) {
+  const std::string text = kIdle + behaviour("hookbeh", "nap_secs(s) 280");
+  const auto seconds_of = [&](bool naps) {
+    return after(of(text, kDeepest, hull(), naps), "silence of the SBC").seconds();
+  };
+  EXPECT_DOUBLE_EQ(seconds_of(false), kLetsGo + kClimb);
+  EXPECT_DOUBLE_EQ(seconds_of(true), kLetsGo + 280 + kClimb);
 }
 
 TEST_F(WholeOf, ThereIsOneHookbeh) {

@@ -152,6 +152,20 @@ std::optional<double> raiseOvertime(MissionFile& mission, double seconds) {
   return limits ? std::optional(std::exchange(overtime->value, seconds)) : std::nullopt;
 }
 
+std::optional<double> allowNaps(MissionFile& mission, double seconds) {
+  const auto hookbeh = std::ranges::find(mission.behaviours, "hookbeh", &BehaviourBlock::name);
+  if (hookbeh == mission.behaviours.end() || hookbeh->value("nap_secs") >= seconds) {
+    return std::nullopt;
+  }
+  const auto given = std::ranges::find(hookbeh->arguments, "nap_secs", &Setting::name);
+  if (given != hookbeh->arguments.end()) {
+    given->value = seconds;
+  } else {
+    hookbeh->arguments.push_back({"nap_secs", "s", seconds, {}, {}});
+  }
+  return seconds;
+}
+
 void checkArguments(const BehaviourBlock& block, support::DiagnosticEngine& diagnostics) {
   const KnownBehaviour* known = findBehaviour(block.name);
   if (known == nullptr) {

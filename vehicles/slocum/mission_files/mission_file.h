@@ -77,6 +77,10 @@ struct MissionFile {
 /// not.
 std::optional<double> raiseOvertime(MissionFile& mission, double seconds);
 
+/// Raises `nap_secs` of hookbeh to `seconds` if it is shorter; returns what it is then, empty if it
+/// was not.
+std::optional<double> allowNaps(MissionFile& mission, double seconds);
+
 /// A .ma file.
 struct ArgumentFile {
   std::string behaviour;

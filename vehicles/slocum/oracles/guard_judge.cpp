@@ -129,21 +129,29 @@ bool GuardJudge::isTooSoon(const CycleView& view, double silent_s) const {
   return wrong_clocks_ == 1 && !garbled && silent_s < s_.args.silence_secs / 2;
 }
 
-/// A heartbeat counts if it is newer than all previous ones.
+/// A heartbeat counts if it is newer than all previous ones; one in the place of an SBC that sleeps
+/// (negative) only for nap_secs after the last of the SBC itself.
 std::string GuardJudge::judgeHeartbeat(const CycleView& view) {
-  const double beat = view.array.get(Sensor::sci_hook_heartbeat);
+  const double number = view.array.get(Sensor::sci_hook_heartbeat);
+  const double beat = std::fabs(number);
   const bool whole = beat >= 0 && beat <= hooks::kMostSession && std::floor(beat) == beat;
   const bool newer =
       whole && hookIsNewerSession(static_cast<uint32_t>(beat), static_cast<uint32_t>(heartbeat_));
   const bool was_active = hook_ == HookState::Active;
   if (!was_active || newer) {
+    // The numbers of one nap are all even or all odd, and those of the next the other way: then
+    // the SBC itself has beaten after the last of the nap before.
+    const bool another = number < 0 && last_number_ < 0 && std::fmod(beat - last_number_, 2) != 0;
+    own_s_ = another ? heard_s_ : own_s_;
+    last_number_ = whole ? number : last_number_;
     heartbeat_ = whole ? beat : heartbeat_;
-    heard_s_ = view.time_s;
+    own_s_ = number >= 0 || !was_active ? view.time_s : own_s_;
+    heard_s_ = number >= 0 || view.time_s - own_s_ < s_.args.nap_secs ? view.time_s : heard_s_;
   }
   // In the cycle in which hookbeh ends one session it may accept the next one's handshake.
   const double session = view.array.get(Sensor::x_hook_session);
   if (view.hook == HookState::Active && session > 0 && session != session_) {
-    heard_s_ = view.time_s;
+    heard_s_ = own_s_ = view.time_s;
   }
   session_ = session;
   hook_ = view.hook;

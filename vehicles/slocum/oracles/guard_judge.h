@@ -46,6 +46,8 @@ class GuardJudge {
   hooks::HookState hook_ = hooks::HookState::Absent;  ///< in the previous cycle
   double heartbeat_ = 0;                              ///< the newest one
   double heard_s_ = 0;                                ///< when it arrived, or a session began
+  double last_number_ = 0;                            ///< the newest heartbeat, with its sign
+  double own_s_ = 0;                                  ///< the same of one that is not negative
   double session_ = 0;                                ///< in control, in the previous cycle
 };
 

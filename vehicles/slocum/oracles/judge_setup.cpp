@@ -38,6 +38,7 @@ hooks::HookbehArgs withinHull(hooks::HookbehArgs args, const platforms::Envelope
     args.least_altitude_m = std::max(args.least_altitude_m, kLeastAltitude);
   }
   args.silence_secs = std::min(args.silence_secs, hooks::kMostSilenceSecs);
+  args.nap_secs = std::min(args.nap_secs, hooks::kMostNapSecs);
   return args;
 }
 

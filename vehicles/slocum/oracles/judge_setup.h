@@ -45,12 +45,15 @@ struct JudgeSetup {
   /// What holds while no sensor of the vehicle is wrong; empty: as `promise`.
   std::optional<Promise> whole;
 
+  /// How long hookbeh may wait for a sign of the SBC's life, s. If it dies in a nap, the beats on
+  /// its behalf count for `nap_secs`; of a mission that never naps that is more than is needed.
+  /// What a mission decides later after a nap does not count here: the lag is in no promise of
+  /// control.
+  [[nodiscard]] double silentAfter() const { return args.silence_secs + args.nap_secs; }
   /// The times of control, as the SBC sees them.
-  [[nodiscard]] ControlTimes controlTimes() const {
-    return {args.silence_secs, cycle_s, line_lag_s};
-  }
+  [[nodiscard]] ControlTimes controlTimes() const { return {silentAfter(), cycle_s, line_lag_s}; }
   /// The same as hookbeh sees them: after the line.
-  [[nodiscard]] ControlTimes hookbehTimes() const { return {args.silence_secs, cycle_s, 0}; }
+  [[nodiscard]] ControlTimes hookbehTimes() const { return {silentAfter(), cycle_s, 0}; }
   /// What must hold at `now_s`. Before the first sensor is wrong, and some time after the last one,
   /// it is what holds without that fault; but what a mission does may depend on what it has read.
   [[nodiscard]] Promise promiseAt(double now_s) const;

@@ -70,6 +70,11 @@ void check(const std::vector<const ir::Statement*>& commands, const support::Sou
 }  // namespace
 
 void checkPortCommands(const ir::Mission& mission, support::DiagnosticEngine& diagnostics) {
+  if (mission.nap_s) {
+    diagnostics.report(support::diagnostics::notOnPort, mission.states.front().head, "nap",
+                       "without hookprog nothing keeps what happens while the SBC sleeps: delete "
+                       "the line `nap at most`");
+  }
   check(ir::prove::commandsOfAlways(mission), {}, {}, diagnostics);
   for (const ir::State& state : mission.states) {
     if (!state.sampling.empty()) {

@@ -57,6 +57,8 @@ class FileOfSlocum final : public vehicles::OwnMission {
           masks ? support::diagnostics::commandsMasked : support::diagnostics::controlPrevented,
           one.range, one.what, one.change);
     }
+    const auto hookbeh = std::ranges::find(layers, Role::Hookbeh, &Layer::role);
+    checkNaps(worlds.written.mission, file_, hookbeh->range, diagnostics);
     for (const Doubt& one : unmetNeeds(behaviours_)) {
       diagnostics.report(support::diagnostics::sensorUnread, one.range, one.why, one.change);
     }
@@ -79,12 +81,12 @@ class FileOfSlocum final : public vehicles::OwnMission {
   }
 
   [[nodiscard]] vehicles::WayHome wayHomeFrom(double depth_m,
-                                              const Platform& platform) const override {
-    return rules::wayHomeFrom(depth_m, platform, file_.silence);
+                                              const WrittenWorld& world) const override {
+    return rules::wayHomeFrom(depth_m, world.platform, silenceOf(file_, world.mission));
   }
 
   [[nodiscard]] std::vector<std::string> wayHomeLines(const WidestWorld& world) const override {
-    return rules::wayHomeLines(world, file_.silence);
+    return rules::wayHomeLines(world, silenceOf(file_, world.mission));
   }
 
   [[nodiscard]] std::vector<std::string> refusedLines(
@@ -116,11 +118,11 @@ class UsualSlocum final : public vehicles::OwnMission {
     return std::nullopt;
   }
   [[nodiscard]] vehicles::WayHome wayHomeFrom(double depth_m,
-                                              const Platform& platform) const override {
-    return rules::wayHomeFrom(depth_m, platform);
+                                              const WrittenWorld& world) const override {
+    return rules::wayHomeFrom(depth_m, world.platform, usualSilence(world.mission));
   }
   [[nodiscard]] std::vector<std::string> wayHomeLines(const WidestWorld& world) const override {
-    return rules::wayHomeLines(world, usualSilence());
+    return rules::wayHomeLines(world, usualSilence(world.mission));
   }
   [[nodiscard]] std::vector<std::string> refusedLines(const ir::Mission& mission) const override {
     return rules::refusedLines(mission, usualLimits());

@@ -4,7 +4,10 @@
 #include "vehicles/slocum/rules/vehicle_file.h"
 
 #include "hooks/hookbeh/hull.h"
+#include "hooks/protocol/nap_times.h"
+#include "ir/prove/context/duration_text.h"
 #include "support/diagnostics/ids/vehicle.h"
+#include "support/diagnostics/ids/verification.h"
 #include "vehicles/slocum/mission_files/mission_file.h"
 
 #include <fmt/format.h>
@@ -55,6 +58,12 @@ support::Result<VehicleFile> vehicleFileOf(const MissionFile& file, const std::s
                          fmt::format("silence_secs must be above 0 and at most {:.0f}, not {}",
                                      hooks::kMostSilenceSecs, seconds));
   }
+  const double nap = hookbeh->value("nap_secs");
+  if (!(nap >= 0 && nap <= hooks::kMostNapSecs)) {
+    return support::fail(support::diagnostics::skeletonErrors, path,
+                         fmt::format("nap_secs must be 0 or more and at most {:.0f}, not {}",
+                                     hooks::kMostNapSecs, nap));
+  }
   const std::string name = std::filesystem::path(path).filename().string();
   const double steepest = hookbeh->value("max_pitch");
   const double shallowest = hookbeh->value("min_pitch");
@@ -72,7 +81,37 @@ support::Result<VehicleFile> vehicleFileOf(const MissionFile& file, const std::s
                      "hookbeh",
                      "",
                      abortsOf(file),
-                     {deepest, hookbeh->value("min_altitude"), hookbeh->value("start_secs")}};
+                     {deepest, hookbeh->value("min_altitude"), hookbeh->value("start_secs")},
+                     nap};
+}
+
+Silence silenceOf(const VehicleFile& file, const ir::Mission& mission) {
+  if (!mission.nap_s || file.nap_secs == 0) {
+    return file.silence;
+  }
+  return {file.silence.seconds + file.nap_secs,
+          fmt::format("silence_secs {:.4g} and nap_secs {:.4g} from {}", file.silence.seconds,
+                      file.nap_secs, file.name)};
+}
+
+void checkNaps(const ir::Mission& mission, const VehicleFile& file,
+               const support::SourceRange& hookbeh, support::DiagnosticEngine& diagnostics) {
+  const double needed = napSecsFor(mission.nap_s.value_or(0));
+  if (!mission.nap_s || file.nap_secs >= needed) {
+    return;
+  }
+  diagnostics.report(
+      support::diagnostics::controlPrevented, hookbeh,
+      fmt::format(
+          "the mission lets it sleep for up to {}, and hookbeh releases control {} (nap_secs "
+          "{:.4g} in {})",
+          ir::prove::durationOf(*mission.nap_s),
+          file.nap_secs == 0 ? "in its first nap" : "after " + ir::prove::durationOf(file.nap_secs),
+          file.nap_secs, file.name),
+      fmt::format(
+          "write `b_arg: nap_secs(s) {:.0f}` or more, which is the nap and {} around it, or "
+          "shorten `nap at most` in the mission",
+          needed, ir::prove::durationOf(kHookAroundNapSecs)));
 }
 
 }  // namespace glider::slocum::rules

@@ -3,6 +3,8 @@
 
 #pragma once
 
+#include "ir/core/mission.h"
+#include "support/diagnostics/engine.h"
 #include "support/result.h"
 #include "vehicles/slocum/mission_files/mission_file.h"
 #include "vehicles/slocum/rules/refused_commands.h"
@@ -40,7 +42,17 @@ struct VehicleFile {
   std::string limits_at;
   AbortLimits aborts;
   GuardLimits guards;
+  double nap_secs = 0;  ///< how long beats on behalf of a sleeping SBC count; 0: it must not sleep
 };
+
+/// The longest `nap_secs` that is taken: with twice the longest nap the vehicle of a dead SBC
+
+/// Of hookbeh, while it gives control to `mission`.
+Silence silenceOf(const VehicleFile& file, const ir::Mission& mission);
+
+/// Reports that hookbeh releases control in a nap of `mission` (GL3133), at `hookbeh`.
+void checkNaps(const ir::Mission& mission, const VehicleFile& file,
+               const support::SourceRange& hookbeh, support::DiagnosticEngine& diagnostics);
 
 /// Where the `abend` of a mission file aborts.
 AbortLimits abortsOf(const MissionFile& file);

@@ -4,6 +4,7 @@
 #include "vehicles/slocum/rules/way_home.h"
 
 #include "hooks/hookbeh/args.h"
+#include "hooks/protocol/nap_times.h"
 #include "ir/prove/abstract/state_depths.h"
 #include "ir/prove/abstract/surfacing.h"
 #include "ir/prove/context/duration_text.h"
@@ -47,6 +48,20 @@ std::string silentLine(const WayHome& home, const platforms::Platform& platform,
 Silence usualSilence() {
   return {hooks::HookbehArgs{}.silence_secs,
           fmt::format("assuming silence_secs {:.4g}; see --mi", hooks::HookbehArgs{}.silence_secs)};
+}
+
+double napSecsFor(double nap_s) {
+  return std::ceil(nap_s + int{kHookAroundNapSecs});
+}
+
+Silence usualSilence(const ir::Mission& mission) {
+  if (!mission.nap_s) {
+    return usualSilence();
+  }
+  const double silence = hooks::HookbehArgs{}.silence_secs;
+  const double nap = napSecsFor(*mission.nap_s);
+  return {silence + nap,
+          fmt::format("assuming silence_secs {:.4g} and nap_secs {:.4g}; see --mi", silence, nap)};
 }
 
 WayHome wayHomeFrom(double depth_m, const platforms::Platform& platform, const Silence& silence) {

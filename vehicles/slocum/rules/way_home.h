@@ -12,7 +12,8 @@
 
 namespace glider::slocum::rules {
 
-/// The silence of the SBC after which hookbeh releases control, and where the number is from.
+/// How long after the last sign of the SBC's life hookbeh releases control, and where the number is
+/// from. If the SBC dies in a nap, hookbeh still counts the beats on its behalf for `nap_secs`.
 struct Silence {
   double seconds = 0;
   std::string source;  ///< "silence_secs of skeleton.mi"
@@ -20,6 +21,13 @@ struct Silence {
 
 /// The silence that hookbeh uses if its mission file gives none.
 Silence usualSilence();
+/// The same while it gives control to `mission`. If that lets the SBC sleep, its file must say how
+/// long the beats on behalf of a sleeping SBC count: as long as that mission needs.
+Silence usualSilence(const ir::Mission& mission);
+
+/// The shortest `nap_secs` with which hookbeh does not release control in a nap: the
+/// last of a nap is the time to wake.
+double napSecsFor(double nap_s);
 
 /// The way home from a depth of at most `depth_m`, the deepest that commands lead to: hookbeh
 /// releases control after its silence and two of the longest cycles, then the vehicle's own layers

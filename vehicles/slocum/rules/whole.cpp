@@ -33,9 +33,11 @@ const BehaviourBlock* blockOf(const slocum::MissionFile& vehicle, std::string_vi
 /// Puts together what happens when control has ended; each ending is a sum of parts.
 class Endings {
  public:
-  Endings(const slocum::MissionFile& vehicle, const platforms::Platform& platform, double deepest_m)
+  Endings(const slocum::MissionFile& vehicle, const platforms::Platform& platform, double deepest_m,
+          bool naps)
       : vehicle_(vehicle),
         platform_(platform),
+        naps_(naps),
         layers_(layersOf(vehicle, platform)),
         hookbeh_(std::ranges::find(layers_, Role::Hookbeh, &Layer::role)) {
     all_.deepest_m = deepest_m;
@@ -100,6 +102,9 @@ class Endings {
     const uint32_t unanswered = hooks::Client::kMostUnansweredTicks;
     const Part heard{fmt::format("{} ticks without an answer", unanswered), unanswered * gap};
     std::vector<Part> let_go = {{"silence_secs", silence}, {"2 cycles", 2 * gap}};
+    if (const double nap = hookbeh.value("nap_secs"); naps_ && nap > 0) {
+      let_go.push_back({"nap_secs", nap});  // so long the beats on its behalf count
+    }
     if (platform_.world.line_lag_s > 0) {  // the last heartbeat is still on its way
       let_go.push_back({"line", platform_.world.line_lag_s});
     }
@@ -142,6 +147,7 @@ class Endings {
 
   const slocum::MissionFile& vehicle_;
   const platforms::Platform& platform_;
+  bool naps_;
   std::vector<Layer> layers_;
   std::vector<Layer>::iterator hookbeh_;
   Whole all_;
@@ -173,13 +179,14 @@ bool Whole::proved() const {
 }
 
 Whole wholeOf(const slocum::MissionFile& vehicle, const platforms::Platform& platform,
-              double deepest_m) {
-  return Endings(vehicle, platform, deepest_m).all();
+              double deepest_m, bool naps) {
+  return Endings(vehicle, platform, deepest_m, naps).all();
 }
 
 Whole wholeOf(const ir::WidestWorld& world, const slocum::MissionFile& vehicle) {
   const ir::prove::ProofContext context(world);
-  return wholeOf(vehicle, world.platform, std::ranges::max(ir::prove::deepestByState(context)));
+  return wholeOf(vehicle, world.platform, std::ranges::max(ir::prove::deepestByState(context)),
+                 world.mission.nap_s.has_value());
 }
 
 }  // namespace glider::slocum::rules

@@ -43,10 +43,10 @@ struct Whole {
   [[nodiscard]] std::vector<Ending> alike() const;
 };
 
-/// `deepest_m`: to which the mission's own commands lead, may be infinite. docs/verification.md
-/// has the rules and the assumptions.
+/// `deepest_m`: to which the mission's own commands lead, may be infinite. `naps`: the mission lets
+/// the SBC sleep. docs/verification.md has the rules and the assumptions.
 Whole wholeOf(const slocum::MissionFile& vehicle, const platforms::Platform& platform,
-              double deepest_m);
+              double deepest_m, bool naps = false);
 /// The same for a mission, with the depth that its commands lead to.
 Whole wholeOf(const ir::WidestWorld& world, const slocum::MissionFile& vehicle);
 

@@ -109,6 +109,7 @@ hooks::HookbehArgs hookbehArgs(const slocum::BehaviourBlock& block) {
   args.greatest_pump_cc = block.value("max_pump");
   args.greatest_battery_in = block.value("max_battery");
   args.silence_secs = block.value("silence_secs");
+  args.nap_secs = block.value("nap_secs");
   args.dive_pump_mode = static_cast<hooks::PumpMode>(block.value("d_use_bpump"));
   args.climb_pump_mode = static_cast<hooks::PumpMode>(block.value("c_use_bpump"));
   args.dive_pump_cc = block.value("d_bpump_value");
@@ -175,6 +176,7 @@ Behaviour::Outcome HookbehAdapter::fly(const Situation& situation, Commands& com
   array.set(Sensor::x_hook_session, out.session);
   array.set(Sensor::x_hook_guard, static_cast<double>(out.guard));
   array.set(Sensor::x_hook_masked, out.masked);
+  array.set(Sensor::x_hook_nap_secs, out.nap_secs);
   if (out.commanding) {
     commands.steer(heading(out));
     const bool servo = out.pitch_mode == hooks::PitchMode::Servo;

@@ -94,7 +94,7 @@ VehicleFile portVehicleFile(const MissionFile& file, const std::string& path,
 }
 
 void widenForPort(platforms::Platform& platform, double outage_s) {
-  platform.world.command_delay_s =
+  platform.world.command_delay_s +=  // that of naps, which the port refuses
       2 * hooks::extctl::kSettleSecs + platform.world.tick_gap_s + outage_s;
   platform.world.climb_hold_m = holdOf(platform);
   platform.world.depth_error_m += platform.envelope.vertical_rate_m_s * platform.world.line_lag_s;

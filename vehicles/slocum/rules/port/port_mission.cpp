@@ -79,7 +79,8 @@ class PortOfSlocum final : public vehicles::OwnMission {
   /// The depth of the mission says little: what brings the vehicle up must also do so after a
   /// damaged sentence.
   [[nodiscard]] vehicles::WayHome wayHomeFrom(double /*depth_m*/,
-                                              const Platform& platform) const override {
+                                              const ir::WrittenWorld& world) const override {
+    const Platform& platform = world.platform;
     constexpr double kUnknown = std::numeric_limits<double>::infinity();
     const Ending silence = wholeOn(platform).endings.front();
     return {silence.proved() ? silence.parts.front().seconds : kUnknown, portOn(platform).deepest_m,

@@ -39,8 +39,7 @@ support::Result<HeardFlight> flyHeard(const compiler::Optimised& mission,
   if (!world) {
     return std::unexpected(world.error());
   }
-  (void)flights::carryPack(mission.mission, *world);
-  (void)flights::allowNaps(mission.mission, mission.platform(), *world);
+  (void)flights::equipFor(mission.mission, mission.platform(), *world);
   const auto end = flights::usualEnd(mission.platform());
   if (!end) {
     return std::unexpected(end.error());

@@ -173,13 +173,6 @@ void tellNote(const std::string& note) {
   tell(note.empty() ? "" : "glidercc: note: " + note + "\n");
 }
 
-/// Gives the vehicle what the mission counts on, and reports that.
-void tellFits(const ir::Mission& mission, const platforms::Platform& platform,
-              simulator::Scenario& scenario) {
-  tellNote(flights::carryPack(mission, scenario));
-  tellNote(flights::allowNaps(mission, platform, scenario));
-}
-
 /// The scenario with the duration and the mission of the vehicle's own that the options name.
 support::Result<simulator::Scenario> scenarioFor(const SimOptions& options,
                                                  const platforms::Platform& platform) {
@@ -271,7 +264,7 @@ int sim(const SimOptions& options, Json* document) {
     return reportFailure(scenario.error());
   }
   if (mission != nullptr) {
-    tellFits(mission->mission, *platform, *scenario);
+    std::ranges::for_each(flights::equipFor(mission->mission, *platform, *scenario), tellNote);
   }
   auto folder = FlightFolder::open(outputFolder(options));
   if (!folder) {

@@ -92,6 +92,28 @@ support::Result<simulator::Scenario> chooseScenario(const std::string& wanted,
   return scenario;
 }
 
+std::vector<std::string> scenariosWith(const platforms::Platform& platform,
+                                       std::string_view sensor) {
+  std::vector<std::string> names = scenarioNames();
+  std::erase_if(names, [&](const std::string& name) {
+    const auto scenario = chooseScenario(name, platform);
+    return !scenario ||
+           std::ranges::any_of(simulator::sensorsNotCarried(*scenario),
+                               [&](const auto& missing) { return missing.name == sensor; });
+  });
+  return names;
+}
+
+bool hasBundledSkeleton(const simulator::Scenario& scenario) {
+  std::error_code error;
+  return std::filesystem::equivalent(scenario.skeleton_path.parent_path(), bundledScenarios(),
+                                     error) &&
+         !error;
+}
+
+namespace {
+
+/// A note if the scenario has batteries of its own that hold another charge, empty otherwise.
 std::string carryPack(const ir::Mission& mission, simulator::Scenario& scenario) {
   simulator::BatterySettings& battery = scenario.vehicle.battery;
   constexpr double kJoulesPerKilojoule = 1000;
@@ -115,39 +137,31 @@ std::string carryPack(const ir::Mission& mission, simulator::Scenario& scenario)
                    scenario.name, part * wanted_C / kSecondsPerHour, wanted_C / kSecondsPerHour);
 }
 
-std::vector<std::string> scenariosWith(const platforms::Platform& platform,
-                                       std::string_view sensor) {
-  std::vector<std::string> names = scenarioNames();
-  std::erase_if(names, [&](const std::string& name) {
-    const auto scenario = chooseScenario(name, platform);
-    return !scenario ||
-           std::ranges::any_of(simulator::sensorsNotCarried(*scenario),
-                               [&](const auto& missing) { return missing.name == sensor; });
-  });
-  return names;
-}
-
-bool hasBundledSkeleton(const simulator::Scenario& scenario) {
-  std::error_code error;
-  return std::filesystem::equivalent(scenario.skeleton_path.parent_path(), bundledScenarios(),
-                                     error) &&
-         !error;
-}
-
-std::string allowNaps(const ir::Mission& mission, const platforms::Platform& platform,
-                      simulator::Scenario& scenario) {
+/// A note if the mission file that comes with glidercc was changed for it, empty otherwise.
+std::string letSleep(const ir::Mission& mission, const platforms::Platform& platform,
+                     simulator::Scenario& scenario) {
   const simulator::Family* family = simulator::familyOf(platform);
-  if (!mission.nap_s || family == nullptr || family->allow_naps == nullptr ||
+  if (!mission.nap_s || family == nullptr || family->raise_nap_secs == nullptr ||
       !hasBundledSkeleton(scenario)) {
     return "";
   }
-  const auto allowed =
-      family->allow_naps(scenario.own, std::ceil(*mission.nap_s + int{kHookAroundNapSecs}));
-  return allowed ? fmt::format(
-                       "the bundled {} lets the SBC sleep, with nap_secs {:g}; the vehicle's "
-                       "own mission file needs as much",
-                       scenario.skeleton_path.filename().string(), *allowed)
-                 : "";
+  const auto nap_secs =
+      family->raise_nap_secs(scenario.own, std::ceil(*mission.nap_s + int{kHookAroundNapSecs}));
+  return nap_secs ? fmt::format(
+                        "the bundled {} lets the SBC sleep, with nap_secs {:g}; the vehicle's "
+                        "own mission file needs as much",
+                        scenario.skeleton_path.filename().string(), *nap_secs)
+                  : "";
+}
+
+}  // namespace
+
+std::vector<std::string> equipFor(const ir::Mission& mission, const platforms::Platform& platform,
+                                  simulator::Scenario& scenario) {
+  std::vector<std::string> notes = {carryPack(mission, scenario),
+                                    letSleep(mission, platform, scenario)};
+  std::erase(notes, "");
+  return notes;
 }
 
 std::string setDuration(simulator::Scenario& scenario, const platforms::Platform& platform,

@@ -29,14 +29,12 @@ support::Result<simulator::Scenario> chooseScenario(const std::string& wanted,
                                                     const platforms::Platform& platform,
                                                     const support::ShowDiagnostics& show = {});
 
-/// Gives the vehicle of `scenario` the batteries that the mission's line `pack` says. If the
-/// scenario has some of its own, these stay; a note if they hold another charge, empty otherwise.
-std::string carryPack(const ir::Mission& mission, simulator::Scenario& scenario);
-
-/// Lets the SBC of `scenario` sleep as the mission's line `nap at most` says, if the vehicle's
-/// mission file comes with glidercc; returns a note about that, empty otherwise.
-std::string allowNaps(const ir::Mission& mission, const platforms::Platform& platform,
-                      simulator::Scenario& scenario);
+/// Gives the vehicle of `scenario` what the mission's text says of it: the batteries of its line
+/// `pack`, unless the scenario has some of its own, and as much sleep of the SBC as its line `nap
+/// at most` says, if the vehicle's mission file comes with glidercc. Returns notes: that the
+/// batteries hold another charge, that a mission file of one's own needs a change too.
+std::vector<std::string> equipFor(const ir::Mission& mission, const platforms::Platform& platform,
+                                  simulator::Scenario& scenario);
 
 /// Makes the flights of `scenario` last up to `duration_s`, for --duration. If its mission file of
 /// the vehicle is one that comes with glidercc and would end the flight sooner (overtime), that

@@ -125,9 +125,9 @@ int loadMissions(const campaign::CampaignOptions& options, campaign::CampaignPla
         return reportFailure(own.error());
       }
     }
-    const std::string batteries = flights::carryPack(compiled->mission, *scenario);
-    (void)flights::allowNaps(compiled->mission, platform, *scenario);
-    tell(batteries.empty() || !plan.missions.empty() ? "" : "glidercc: note: " + batteries + "\n");
+    for (const std::string& note : flights::equipFor(compiled->mission, platform, *scenario)) {
+      tell(!plan.missions.empty() ? "" : "glidercc: note: " + note + "\n");
+    }
     if (options.duration_s) {
       const std::string note = flights::setDuration(*scenario, platform, *options.duration_s);
       tell(note.empty() || !plan.missions.empty() ? "" : "glidercc: note: " + note + "\n");

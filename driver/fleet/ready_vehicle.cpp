@@ -205,8 +205,7 @@ Result<ReadyFleet> readyFleet(const flights::Fleet& fleet, const std::string& on
     if (!scenario) {
       return std::unexpected(scenario.error());
     }
-    (void)flights::carryPack(mission->mission, *scenario);
-    (void)flights::allowNaps(mission->mission, mission->platform(), *scenario);
+    (void)flights::equipFor(mission->mission, mission->platform(), *scenario);
     if (number == 0) {
       ready.world = *scenario;
       ready.seed = fleet.seed.value_or(scenario->seed);

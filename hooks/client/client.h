@@ -60,8 +60,8 @@ enum class ClientEvent : uint8_t {
   Nothing,     ///< no complete frame is there
   Handled,     ///< the client processed and answered a frame itself (a Beacon, a Welcome)
   Tick,        ///< tick() is new: the caller must call done()
-  SilentLink,  ///< no whole tick for 12 s of the SBC's own clock, after a nap was ordered 12 s more
-               ///< than that (never in virtual time): a tick of the clock alone
+  SilentLink,  ///< no whole tick for 12 s of the SBC's own clock, or, after a nap was ordered, for
+               ///< as much longer as it may take (never in virtual time): a tick of the clock alone
   Refused,     ///< another protocol version or sensor dictionary, or a feature is missing;
                ///< reported once for each: see refusal()
   Closed,      ///< the stream's other end is gone
@@ -123,8 +123,8 @@ class Client {
   void tell(const MissionNote& note);
   /// Adds to the answer of the current tick the order to keep ticks while this program sleeps; it
   /// is dropped between ticks, unless mayNap(), and if anything else was added to the answer or
-  /// waits for one. Returns whether it was added. The
-  /// vehicle may have reasons not to follow: then ticks come as ever.
+  /// waits for one. Returns whether it was added. The vehicle may have reasons not to follow: then
+  /// ticks come as ever.
   bool nap(const Nap& nap);
   /// True while there is a link, of a program that needs naps: such a vehicle offers them.
   [[nodiscard]] bool mayNap() const {
@@ -151,7 +151,8 @@ class Client {
   static constexpr uint32_t kMostNotices = 8;
   static constexpr uint32_t kMostNotes = 8;
   /// Seconds of the SBC's own clock without a whole tick that make a SilentLink; again after each
-  /// further such time. While asleep, the nap and its time to wake are added.
+  /// further such time. After a nap was ordered, its length, its time to wake and kLateSecs are
+  /// added.
   static constexpr double kSilenceSecs = 12;
   /// So much later a nap may end if the vehicle's cycles do not come.
   static constexpr double kLateSecs = 24;

@@ -3,7 +3,9 @@
 
 #include "ir/naps/wake.h"
 
+#include "ir/core/ops.h"
 #include "ir/core/sampling.h"
+#include "ir/core/truth.h"
 #include "ir/naps/course.h"
 #include "ir/naps/wake_of_truth.h"
 #include "ir/naps/wake_tree.h"
@@ -66,10 +68,7 @@ class WakeOfState {
     }
     Wake wake = both(truth_.leaves(one.guard, true), block(one.action));
     if (one.transition == Transition::Done) {
-      Wake is_done;
-      is_done.kind = WakeKind::Keeps;
-      is_done.variable = done;
-      wake = both(std::move(wake), std::move(is_done));
+      wake = both(std::move(wake), keeps(done));
     }
     return wake;
   }
@@ -104,15 +103,12 @@ class WakeOfState {
   }
 
   Wake set(const Statement& statement) {
-    Wake keeps;
-    keeps.kind = WakeKind::Keeps;
-    keeps.variable = statement.variable;
-    keeps.right = statement.value;
+    Wake same = keeps(statement.variable, statement.value);
     if (isFixed(statement.value)) {
-      return keeps;
+      return same;
     }
     const bool is_truth = mission_[statement.value].type.kind == TypeKind::Bool;
-    return is_truth ? both(std::move(keeps), truth_.changes(statement.value))
+    return is_truth ? both(std::move(same), truth_.changes(statement.value))
                     : awake(statement.range);
   }
 
@@ -139,15 +135,43 @@ Wake wakeOf(const Mission& mission, StateId state) {
   return WakeOfState(mission, state).make();
 }
 
+namespace {
+
+/// What is certain of a truth value while all sensors are known.
 // NOLINTNEXTLINE(misc-no-recursion): as deep as the mission's text nests
-bool maySleep(const Wake& wake) {
+Truth whileAllIsKnown(const Mission& mission, ExprId id) {
+  const Expr& e = mission[id];
+  if (e.op == Op::Known && mission[e.operands[0]].op == Op::Sensor) {
+    return Truth::True;
+  }
+  if (groupOf(e.op) == OpGroup::Truth) {
+    return truth(e.op == Op::True);
+  }
+  if (groupOf(e.op) != OpGroup::Logic) {
+    return Truth::Unknown;
+  }
+  return logical(opIn<LogicOp>(e.op),
+                 [&](size_t i) { return whileAllIsKnown(mission, e.operands.at(i)); });
+}
+
+}  // namespace
+
+// NOLINTNEXTLINE(misc-no-recursion): as deep as the mission's text nests
+const Wake* whatKeepsAwake(const Mission& mission, const Wake& wake) {
+  const auto in = [&](const Wake& part) { return whatKeepsAwake(mission, part); };
   switch (wake.kind) {
     case WakeKind::Awake:
-      return false;
-    case WakeKind::All:
-      return std::ranges::all_of(wake.parts, maySleep);
-    case WakeKind::Branch:
-      return std::ranges::any_of(wake.parts, maySleep);
+      return &wake;
+    case WakeKind::All: {
+      const auto one = std::ranges::find_if(wake.parts, in);
+      return one == wake.parts.end() ? nullptr : in(*one);
+    }
+    case WakeKind::Branch: {
+      const Truth test = whileAllIsKnown(mission, wake.test);
+      const Wake* yes = test == truth(wake.of_false) ? nullptr : in(wake.parts[0]);
+      const Wake* no = test == truth(!wake.of_false) ? nullptr : in(wake.parts[1]);
+      return test != Truth::Unknown ? (yes ? yes : no) : yes ? no : nullptr;
+    }
     case WakeKind::Nothing:
     case WakeKind::Until:
     case WakeKind::Crossed:
@@ -157,7 +181,11 @@ bool maySleep(const Wake& wake) {
     case WakeKind::Keeps:
       break;
   }
-  return true;
+  return nullptr;
+}
+
+bool maySleep(const Mission& mission, const Wake& wake) {
+  return whatKeepsAwake(mission, wake) == nullptr;
 }
 
 }  // namespace glider::ir

@@ -21,7 +21,8 @@ enum class WakeKind : uint8_t {
   Known,    ///< `sensor`, if it is unknown, becomes known
   Lost,     ///< `sensor`, if it is known, becomes unknown
   Repeats,  ///< nothing, if case `number` of `list` fired in this tick; no sleep otherwise
-  Keeps     ///< nothing, if `variable` has the value of `right`; no sleep otherwise
+  Keeps     ///< nothing, if `variable` has the value of `right` (no expression: is true); no sleep
+            ///< otherwise
 };
 
 /// A tree that is evaluated after a tick. What it is about is that the next ticks leave everything
@@ -47,7 +48,11 @@ struct Wake {
 /// Awake.
 Wake wakeOf(const Mission& mission, StateId state);
 
-/// Whether there is a way to sleep at all: not each path through the tree meets Awake.
-bool maySleep(const Wake& wake);
+/// The part of kind Awake that leaves no way to sleep while all sensors are known; where a test
+/// leads to one either way, that of the way on which it does not hold. Null if there is a way.
+const Wake* whatKeepsAwake(const Mission& mission, const Wake& wake);
+
+/// Whether there is such a way.
+bool maySleep(const Mission& mission, const Wake& wake);
 
 }  // namespace glider::ir

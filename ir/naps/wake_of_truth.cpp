@@ -105,11 +105,7 @@ Wake WakeOfTruth::clocks(ExprId left, ExprId right, support::SourceRange range) 
     return awake(range);
   }
   const bool left_rises = of_left == Course::Rises || of_right == Course::Falls;
-  Wake wake;
-  wake.kind = WakeKind::Until;
-  wake.left = left_rises ? left : right;
-  wake.right = left_rises ? right : left;
-  return wake;
+  return left_rises ? until(left, right) : until(right, left);
 }
 
 Wake WakeOfTruth::known(const Expr& e, bool value, bool leaves) {

@@ -54,6 +54,24 @@ inline Wake ofSensor(WakeKind kind, SensorId sensor, ExprId right = {}) {
   return wake;
 }
 
+/// `left`, which rises by 1 a second against `right`, meets it.
+inline Wake until(ExprId left, ExprId right) {
+  Wake wake;
+  wake.kind = WakeKind::Until;
+  wake.left = left;
+  wake.right = right;
+  return wake;
+}
+
+/// `right`: a valid expression, or none for a truth value that stays true.
+inline Wake keeps(VariableId variable, ExprId right = {}) {
+  Wake wake;
+  wake.kind = WakeKind::Keeps;
+  wake.variable = variable;
+  wake.right = right;
+  return wake;
+}
+
 inline Wake repeats(ListKind list, uint32_t number) {
   Wake wake;
   wake.kind = WakeKind::Repeats;

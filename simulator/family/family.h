@@ -52,7 +52,7 @@ struct Family {
   std::optional<double> (*raise_overtime)(std::any& own, double seconds);
   /// Raises the time for which the own mission lets the SBC sleep to `seconds`; returns what it is
   /// then, empty if it was enough. Null: the SBC never sleeps.
-  std::optional<double> (*allow_naps)(std::any& own, double seconds) = nullptr;
+  std::optional<double> (*raise_nap_secs)(std::any& own, double seconds) = nullptr;
   std::unique_ptr<SimulatedSeat> (*make_seat)(const SeatSetup& setup);
 };
 

@@ -112,8 +112,8 @@ std::optional<double> raiseOvertime(std::any& own, double seconds) {
                          : std::nullopt;
 }
 
-std::optional<double> allowNaps(std::any& own, double seconds) {
-  return own.has_value() ? slocum::allowNaps(std::any_cast<SlocumMission&>(own).file, seconds)
+std::optional<double> raiseNapSecs(std::any& own, double seconds) {
+  return own.has_value() ? slocum::raiseNapSecs(std::any_cast<SlocumMission&>(own).file, seconds)
                          : std::nullopt;
 }
 
@@ -139,7 +139,7 @@ constinit const Family families::slocum = {.name = "slocum",
                                            .apply_drawn = applyDrawnTo,
                                            .overtime_of = overtimeOf,
                                            .raise_overtime = raiseOvertime,
-                                           .allow_naps = allowNaps,
+                                           .raise_nap_secs = raiseNapSecs,
                                            .make_seat = makeSeat};
 
 }  // namespace glider::simulator

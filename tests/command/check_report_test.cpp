@@ -69,6 +69,41 @@ TEST(CheckReport, TheStackHasABoundForAnyNumberOfCases) {
   }
 }
 
+TEST(CheckReport, SaysWhereTheSbcSleepsAndWhatKeepsItAwake) {
+  const TemporaryFolder folder;
+  (void)folder.write("m.mission", R"(mission m
+nap at most 4 min
+
+state dive
+begin
+  flightroute   heading(90 deg)
+  flightprofile yo(5 m, 25 m)
+  sensors       missiontime, depth, temp
+  events
+    case temp < 8 degC goto track
+    case missiontime >= 3 h exit
+end
+
+state track
+begin
+  flightroute   noheading
+  flightprofile thermotrackyo(5 m, 25 m, 26 deg, 26 deg, 2 degC, 3 m)
+  sensors       missiontime, depth, temp
+  events
+    case statetime >= 1 h goto dive
+end
+)");
+  const Outcome outcome =
+      runShell("cd " + folder.path().string() + " && $GLIDERCC check --report m.mission");
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+  const std::string all = outcome.out + outcome.err;
+  EXPECT_THAT(all, testing::HasSubstr(
+                       "in `dive` the SBC may sleep until woken by `depth`, `temp` and time\n"));
+  EXPECT_THAT(all, testing::HasSubstr("in `track` the SBC stays awake: "));
+  EXPECT_THAT(all, testing::HasSubstr("standard.mission:"));
+  EXPECT_THAT(all, testing::Not(testing::ContainsRegex("stack +no bound is known")));
+}
+
 TEST(CheckReport, IsATableForPeople) {
   const Outcome outcome = runShell("$GLIDERCC check --report --target ts7800 " + kReported);
   EXPECT_EQ(outcome.status, 0) << outcome.err;

@@ -105,8 +105,9 @@ void appendForeseen(const Trial& trial, const ir::Interpreter& interpreter,
   }
   const ir::Wake wake = ir::wakeOf(trial.mission, tick.state);
   const ir::Foreseen foreseen = ir::foresee(interpreter, wake, tick);
-  words.push_back(foreseen.awake ? 1 : 0);
-  if (foreseen.awake) {
+  const bool awake = foreseen.awake || !ir::maySleep(trial.mission, wake);
+  words.push_back(awake ? 1 : 0);
+  if (awake) {
     return;
   }
   words.push_back(wordOf(std::min(foreseen.seconds, 1e300)));

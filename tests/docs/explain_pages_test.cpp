@@ -4,13 +4,13 @@
 // The pages of `glidercc explain`: what a page refuses is refused for that reason only, and what it
 // repairs is fine and laid out as `glidercc fmt` would.
 
+#include "compiler/compilation.h"
+#include "compiler/proving.h"
 #include "frontend/format/format.h"
-#include "ir/prove/prove.h"
-#include "ir/verify/verify.h"
-#include "platforms/load/load_platform.h"
 #include "support/diagnostics/ids/meaning.h"
 #include "support/diagnostics/ids/syntax.h"
 #include "support/diagnostics/ids/verification.h"
+#include "support/diagnostics/render.h"
 #include "tests/docs/examples.h"
 #include "tests/unit/frontend/compile.h"
 
@@ -36,10 +36,9 @@ const std::set<DiagnosticId> kNotShown = {
     support::diagnostics::nameForMission, support::diagnostics::waypointLine,
     support::diagnostics::noWaypoints, support::diagnostics::listBeginsElsewhere,
     support::diagnostics::argumentRange, support::diagnostics::parameterDefault,
-    support::diagnostics::tooManyOwnSensors, support::diagnostics::noInstruments,
-    // Another vehicle.
-    support::diagnostics::declinationUnknown, support::diagnostics::commandOfAnother,
-    support::diagnostics::speedTooSlow,
+    support::diagnostics::tooManyOwnSensors,
+    // A vehicle that no shipped file describes.
+    support::diagnostics::declinationUnknown,
     // The vehicle's mission file: vehicle_missions_test.cpp tries the page.
     support::diagnostics::mayStayBelow, support::diagnostics::vehicleRefuses,
     support::diagnostics::vehicleAborts, support::diagnostics::startUnassumed,
@@ -54,22 +53,18 @@ bool aboutMissions(DiagnosticId id) {
   return number < 1800 || (number >= 2000 && number < 4000);
 }
 
-const platforms::Platform& slocum() {
-  static const auto platform = platforms::loadPlatform(GLIDER_SOURCE_DIR "/platforms/slocum.toml");
-  return *platform;
-}
-
 std::vector<std::string> idsOf(const std::string& text, std::string& said) {
-  FrontendRun run(text);
-  if (const auto mission = run.compile(); mission && !run.diagnostics.hasErrors()) {
-    const ir::MissionFacts facts = ir::verify(*mission, run.diagnostics);
-    if (!run.diagnostics.hasErrors()) {
-      ir::prove::prove(*mission, facts, slocum(), {}, run.diagnostics);
-    }
+  auto compilation = compiler::compileText("test.mission", text);
+  if (!compilation) {
+    said = compilation.error().message;
+    return {};
   }
-  said = run.said();
+  if (compilation->checked) {
+    compiler::prove(*compilation->checked, {}, compilation->diagnostics);
+  }
+  said = support::render(compilation->diagnostics, *compilation->sources, false);
   std::vector<std::string> ids;
-  for (const support::Diagnostic& d : run.diagnostics.sorted()) {
+  for (const support::Diagnostic& d : compilation->diagnostics.sorted()) {
     ids.push_back(support::code(d.id));
   }
   return ids;

@@ -52,6 +52,12 @@ struct Pair {
   Flight awake, asleep;
 };
 
+/// Of the SBC, Wh: by the line "of it" of the summary.
+double shareOfSbc(const Flight& flight) {
+  const size_t at = flight.outcome.out.find("SBC ", flight.outcome.out.find("of it"));
+  return at == std::string::npos ? 0 : std::stod(flight.outcome.out.substr(at + 4));
+}
+
 Pair flyBoth(const std::string& more) {
   const TemporaryFolder folder;
   const std::string awake = folder.write("awake.mission", missionText(""));
@@ -82,6 +88,41 @@ TEST(Naps, AreFlownAsWithout) {
   expectAlike(flights);
   EXPECT_GT(sleepsOf(flights.asleep), 10U);
   EXPECT_EQ(sleepsOf(flights.awake), 0U);
+}
+
+TEST(Naps, SaveWhatABoardThatSleepsDoesNotDraw) {
+  const TemporaryFolder folder;
+  const std::string scenario =
+      folder.write("board.toml", slurp(project("scenarios/default.toml")) +
+                                     "\n[vehicle.battery]\nsbc_W = 3.42\nsbc_asleep_W = 0.1\n");
+  const Pair flights = flyBoth(" --scenario " + scenario);
+  expectAlike(flights);
+  EXPECT_GT(shareOfSbc(flights.awake), 40);
+  EXPECT_LT(shareOfSbc(flights.asleep), shareOfSbc(flights.awake) - 20);
+}
+
+/// The vehicle's line loses the SBC's own heartbeats between two naps again and again.
+TEST(Naps, AnSbcThatWakesInTimeKeepsControl) {
+  const TemporaryFolder folder;
+  const std::string mission = folder.write("hover.mission", R"(mission hover
+nap at most 4 min
+state hold
+begin
+  flightroute   noheading
+  flightprofile hover_at(30 m)
+  sensors       missiontime, depth
+  events
+    case missiontime > 10 h exit
+end
+)");
+  for (const char* seed : {"1", "2", "3"}) {
+    const Flight flight = fly(mission + " --duration 10h --seed " + seed);
+    ASSERT_EQ(flight.outcome.status, 0) << flight.outcome.err;
+    EXPECT_GT(sleepsOf(flight), 100U);
+    EXPECT_TRUE(std::ranges::none_of(flight.events, [](const Event& e) {
+      return e.what.find("revoked") != std::string::npos;
+    })) << seed;
+  }
 }
 
 }  // namespace

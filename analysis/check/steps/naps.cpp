@@ -8,7 +8,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <set>
 #include <string>
 #include <vector>
@@ -16,19 +15,14 @@
 namespace glider::analysis::check {
 namespace {
 
-/// What wakes the SBC in a state, and what keeps it awake.
+/// What wakes the SBC in a state.
 struct Causes {
   std::set<std::string> sensors;
   bool time = false;
-  std::vector<support::SourceRange> awake;  ///< in their order; each once
 };
 
 // NOLINTNEXTLINE(misc-no-recursion): as deep as the mission's text nests
 void collect(const ir::Mission& mission, const ir::Wake& wake, Causes& causes) {
-  if (wake.kind == ir::WakeKind::Awake &&
-      std::ranges::find(causes.awake, wake.range) == causes.awake.end()) {
-    causes.awake.push_back(wake.range);
-  }
   causes.time |= wake.kind == ir::WakeKind::Until;
   if (wake.sensor.valid()) {
     causes.sensors.insert(fmt::format("`{}`", mission[wake.sensor].name));
@@ -38,28 +32,28 @@ void collect(const ir::Mission& mission, const ir::Wake& wake, Causes& causes) {
   }
 }
 
-/// The first thing that keeps it awake, as the mission writes it.
-std::string reasonOf(const Run& run, const Causes& causes) {
+/// What keeps it awake, as the mission writes it.
+std::string reasonOf(const Run& run, support::SourceRange range) {
   const support::SourceManager& sources = run.checked().sources();
-  const auto first = std::ranges::find_if(causes.awake, &support::SourceRange::valid);
-  if (first == causes.awake.end()) {
+  if (!range.valid()) {
     return "";
   }
   constexpr size_t kLongest = 60;
-  std::string text = support::onOneLine(sources.text(*first));
+  std::string text = support::onOneLine(sources.text(range));
   text = text.size() > kLongest ? text.substr(0, kLongest) + " …" : text;
   return fmt::format(": what follows from `{}` ({}:{}) cannot be foreseen", text,
-                     sources.name(first->file), sources.place(first->file, first->begin).line);
+                     sources.name(range.file), sources.place(range.file, range.begin).line);
 }
 
 std::string lineOf(const Run& run, ir::StateId id) {
   const ir::Mission& mission = run.mission();
   const ir::Wake wake = ir::wakeOf(mission, id);
+  if (const ir::Wake* awake = ir::whatKeepsAwake(mission, wake)) {
+    return fmt::format("in `{}` the SBC stays awake{}", mission[id].name,
+                       reasonOf(run, awake->range));
+  }
   Causes causes;
   collect(mission, wake, causes);
-  if (!ir::maySleep(wake)) {
-    return fmt::format("in `{}` the SBC stays awake{}", mission[id].name, reasonOf(run, causes));
-  }
   std::vector<std::string> wakers(causes.sensors.begin(), causes.sensors.end());
   if (causes.time) {
     wakers.emplace_back("time");

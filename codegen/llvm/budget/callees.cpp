@@ -44,6 +44,7 @@ enum class Kind : uint8_t {
   kMission,
   kHolds,
   kForesee,
+  kNapTick,
   kSensors
 };
 

@@ -117,7 +117,7 @@ llvm::Function* lowerForesee(Lowering& lowering, uint32_t index) {
     return nullptr;
   }
   const ir::Wake wake = ir::wakeOf(lowering.mission, ir::StateId{index});
-  if (!ir::maySleep(wake)) {
+  if (!ir::maySleep(lowering.mission, wake)) {
     return nullptr;
   }
   const ir::State& state = lowering.mission.states[index];

@@ -6,6 +6,7 @@
 #include "frontend/sema/declarations/declared_value.h"
 #include "frontend/sema/declarations/only_item.h"
 #include "hooks/protocol/nap_times.h"
+#include "platforms/load/dictionary.h"
 #include "support/diagnostics/ids/meaning.h"
 #include "support/units/duration_text.h"
 
@@ -26,9 +27,10 @@ constexpr double kLongest_s = 3600;
 /// checkpoint is up to 20 s older than the nap, and the SBC has to boot.
 constexpr double kToResume_s = 60;
 
-/// Whether the vehicle's seat keeps what happens while the SBC sleeps: that of the hooks does.
+/// Whether the vehicle keeps what happens while the SBC sleeps: then it reports for how long.
 bool keepsForNaps(const platforms::Platform& platform) {
-  return platform.family == "slocum";
+  const platforms::Dictionary dictionary(platform);
+  return dictionary.get().roles[kGliderRoleHookNapSecs] != GLIDER_NO_SENSOR;
 }
 
 /// A number without a unit: what it counts is not said.

@@ -152,6 +152,24 @@ TEST(Summary, ShowsUpToSixtyEventsOfEachListAndTheLastOfThem) {
   EXPECT_EQ(with(5, "steering").find("note"), std::string::npos);
 }
 
+TEST(Summary, SaysForHowLongTheSbcSlept) {
+  support::Trace trace = smallTrace({{"time", "s"}}, {{0}, {400}});
+  EXPECT_EQ(summarize(trace).find("asleep"), std::string::npos);
+  const auto at = [&](double time_s, support::EventId id) {
+    support::TraceEvent event = unlistedEvent(time_s, kUnknown, "steering", "it sleeps", "");
+    event.id = id;
+    trace.events.push_back(event);
+  };
+  at(20, support::EventId::SbcSleeps);
+  at(80, support::EventId::SbcWoken);
+  at(100, support::EventId::SbcSleeps);
+  at(240, support::EventId::SbcWoken);
+  at(390, support::EventId::SbcSleeps);  // and never wakes
+  EXPECT_NE(summarize(trace).find("SBC asleep   50.0 % of the flight, 3 times\n"),
+            std::string::npos)
+      << summarize(trace);
+}
+
 TEST(Summary, ManyEventsAreCounted) {
   support::Trace trace = figure2();
   trace.events.insert(trace.events.end(), 1000, unlistedEvent(1, kUnknown, "log", "note", ""));

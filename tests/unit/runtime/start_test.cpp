@@ -328,6 +328,22 @@ TEST(StandardFiles, AreAStreamThatNeverBlocks) {
   }
 }
 
+TEST_F(Folder, TheBoardSleepsByAFile) {
+  Options options;
+  sleepBoard(options);  // it stays on
+  const std::string state = file("");
+  options.sleep = state.c_str();
+  sleepBoard(options);
+  std::ifstream in(state);
+  EXPECT_EQ(std::string(std::istreambuf_iterator<char>(in), {}), "mem\n");
+  options.sleep = "/nowhere/state";
+  ::testing::internal::CaptureStderr();
+  sleepBoard(options);
+  sleepBoard(options);
+  EXPECT_EQ(::testing::internal::GetCapturedStderr(), "warning: cannot sleep by `/nowhere/state`\n")
+      << "once";
+}
+
 TEST(Line, IsWaitedForUntilAByteComes) {
   int line[2];
   ASSERT_EQ(pipe(line), 0);

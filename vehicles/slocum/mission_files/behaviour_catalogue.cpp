@@ -152,7 +152,7 @@ std::optional<double> raiseOvertime(MissionFile& mission, double seconds) {
   return limits ? std::optional(std::exchange(overtime->value, seconds)) : std::nullopt;
 }
 
-std::optional<double> allowNaps(MissionFile& mission, double seconds) {
+std::optional<double> raiseNapSecs(MissionFile& mission, double seconds) {
   const auto hookbeh = std::ranges::find(mission.behaviours, "hookbeh", &BehaviourBlock::name);
   if (hookbeh == mission.behaviours.end() || hookbeh->value("nap_secs") >= seconds) {
     return std::nullopt;

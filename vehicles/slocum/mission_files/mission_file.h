@@ -79,7 +79,7 @@ std::optional<double> raiseOvertime(MissionFile& mission, double seconds);
 
 /// Raises `nap_secs` of hookbeh to `seconds` if it is shorter; returns what it is then, empty if it
 /// was not.
-std::optional<double> allowNaps(MissionFile& mission, double seconds);
+std::optional<double> raiseNapSecs(MissionFile& mission, double seconds);
 
 /// A .ma file.
 struct ArgumentFile {

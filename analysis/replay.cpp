@@ -6,6 +6,7 @@
 #include "ir/eval/interpreter.h"
 #include "ir/prove/context/proof_context.h"
 #include "ir/prove/context/requirement_monitor.h"
+#include "ir/worlds/depth_sensor.h"
 #include "simulator/replay/replay.h"
 #include "support/counted.h"
 #include "support/diagnostics/ids/flights.h"
@@ -46,7 +47,7 @@ class Replay {
         depth_(trace.column("true_depth")),
         interpreter_(m_, checked.facts.stack_depth),
         monitor_(m_, m_.requirements[*trace.requirement], checked.platform().world.surface_depth_m,
-                 ir::prove::depthSensor(m_, checked.platform())) {}
+                 ir::depthSensor(m_, checked.platform())) {}
 
   Result<Replayed> run(simulator::SbcPort& sbc, const std::vector<double>& parameters) {
     std::vector<simulator::ReplayTick> ticks;

@@ -6,10 +6,15 @@
 #include "campaign/seeds.h"
 #include "campaign/stoppable_judge.h"
 #include "flights/shadowed_sbc.h"
+#include "ir/worlds/naps.h"
 #include "simulator/campaign/kinds_of_faults.h"
+#include "simulator/campaign/promises.h"
 #include "simulator/family/family.h"
 #include "vehicles/vehicle.h"
 
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <memory>
 #include <utility>
 
@@ -61,6 +66,28 @@ simulator::StartSbc startOf(const CampaignMission& mission, const CampaignFlight
              : flown;
 }
 
+/// An SBC that has slept acts in time, unless something else than the water and the sensors keeps
+/// it from that.
+void judgeNaps(const flights::NapWatch& watch, std::span<const FaultKind> kinds,
+               const platforms::Platform& platform, Verdict& verdict) {
+  const double most_s = ir::kNapLag_s + platform.envelope.cycle_s;
+  if (!watch.latest() || watch.latest()->late_s <= most_s ||
+      !std::ranges::all_of(kinds, simulator::leavesTheSbc)) {
+    return;
+  }
+  const flights::LateTick& late = *watch.latest();
+  simulator::Violation found{
+      simulator::JudgeId::Naps, late.vehicle_time,
+      fmt::format("the SBC acted {:.0f} s after the tick that made it act", late.late_s)};
+  if (verdict.outcome != Verdict::Outcome::Violation || late.vehicle_time < verdict.violation_s) {
+    verdict.outcome = Verdict::Outcome::Violation;
+    verdict.violation = found.what;
+    verdict.violation_s = found.at_s;
+  }
+  verdict.violations.push_back(std::move(found));
+  std::ranges::stable_sort(verdict.violations, {}, &simulator::Violation::at_s);
+}
+
 }  // namespace
 
 support::Result<Verdict> flyOne(const CampaignPlan& plan, const CampaignFlight& flight,
@@ -103,6 +130,9 @@ support::Result<Verdict> flyOne(const CampaignPlan& plan, const CampaignFlight& 
     return std::unexpected(flown.error());
   }
   Verdict verdict = judge.verdict();
+  if (watch && mission.compiled->mission.nap_s) {
+    judgeNaps(watch->naps(), kinds, mission.platform, verdict);
+  }
   if (watch) {
     for (const flights::FlownViolation& violation : watch->violations(*flown)) {
       verdict.requirements.push_back(violation.number);

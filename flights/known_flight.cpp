@@ -6,6 +6,7 @@
 #include "ir/core/walk.h"
 #include "ir/prove/context/proof_context.h"
 #include "ir/prove/context/requirement_monitor.h"
+#include "ir/worlds/depth_sensor.h"
 
 #include <fmt/format.h>
 
@@ -94,7 +95,7 @@ class KnownReplay {
         nothing_{
             ir::Interpreter(m_, flight.mission.checked->facts.stack_depth),
             ir::RequirementMonitor(m_, required, flight.mission.platform().world.surface_depth_m,
-                                   ir::prove::depthSensor(m_, flight.mission.platform()))},
+                                   ir::depthSensor(m_, flight.mission.platform()))},
         needed_(returnedTo(flight.heard)),
         depth_(flight.trace) {}
 

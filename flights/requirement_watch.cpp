@@ -30,6 +30,7 @@ InProcessSbc::Watcher RequirementWatch::watcher(const std::vector<double>& param
     if (!departed_) {
       heard_.look(context, now);
       outages_.look(start, context.mission_time, now, context.state);
+      naps_.look(context, now);
     }
   };
 }

@@ -6,6 +6,7 @@
 #include "compiler/compilation.h"
 #include "flights/heard_missions.h"
 #include "flights/in_process_sbc.h"
+#include "flights/nap_watch.h"
 #include "flights/outage_watch.h"
 #include "support/trace/trace.h"
 
@@ -85,6 +86,7 @@ class RequirementWatch {
   /// The same, with the requirements for which the flight was too short.
   [[nodiscard]] FlownOutcome outcome(const support::Trace& trace) const;
   [[nodiscard]] const ir::Mission& mission() const { return m_; }
+  [[nodiscard]] const NapWatch& naps() const { return naps_; }
 
  private:
   [[nodiscard]] std::optional<FlownViolation> tooLong(const ir::Assumption& assumption) const;
@@ -98,6 +100,7 @@ class RequirementWatch {
   const ir::Mission& m_;  ///< with its requirements
   HeardMissions heard_;
   OutageWatch outages_;
+  NapWatch naps_;
   std::vector<double> parameters_;
   size_t starts_ = 0;
   std::optional<double> departed_;

@@ -6,6 +6,7 @@
 #include "analysis/against/held_guards.h"
 #include "ir/prove/context/proof_context.h"
 #include "ir/prove/context/requirement_monitor.h"
+#include "ir/worlds/depth_sensor.h"
 #include "support/one_line.h"
 
 #include <algorithm>
@@ -34,7 +35,7 @@ class LogFollower {
         watched_(watchedCases(checked)),
         once_(watched_.size()),
         values_(watched_.size()),
-        depth_(ir::prove::depthSensor(m_, checked.platform())) {}
+        depth_(ir::depthSensor(m_, checked.platform())) {}
 
   Followed run() {
     out_.states.assign(log_.ticks.size(), Followed::kNoState);

@@ -8,6 +8,7 @@
 #include "ir/eval/interpreter.h"
 #include "ir/prove/context/proof_context.h"
 #include "ir/prove/context/requirement_monitor.h"
+#include "ir/worlds/depth_sensor.h"
 
 #include <fmt/format.h>
 
@@ -37,7 +38,7 @@ class Flight {
         assumed_(checked.worlds.assumed.mission),
         platform_(checked.worlds.assumed.platform),
         gap_s_(ir::certify::longestGap(assumed_, platform_)),
-        depth_sensor_(ir::prove::depthSensor(m_, platform_)),
+        depth_sensor_(ir::depthSensor(m_, platform_)),
         true_depth_(run.column("true_depth")),
         interpreter_(m_, checked.facts.stack_depth),
         reached_(m_, m_.requirements[*run.requirement], platform_.world.surface_depth_m,

@@ -6,6 +6,7 @@
 #include "ir/verify/narrowed.h"
 
 #include <algorithm>
+#include <span>
 
 namespace glider::ir {
 namespace {
@@ -37,18 +38,57 @@ class GuardedWalk {
   /// A case of `always` with a target may be passed over although its guard is true.
   void list(const std::vector<Case>& cases, bool always) {
     Knowledge before;
-    for (const Case& c : cases) {
+    for (size_t k = 0; k < cases.size(); ++k) {
+      const Case& c = cases[k];
       Knowledge here = before;
       narrowing_.assume(here, c.guard, Asked::True);
+      if (isDoubtful(c)) {
+        assumePassed(here, std::span(cases).first(k), always);
+      }
       block(c.action, here);
       for (size_t i = 0; i < c.arguments.size(); ++i) {
         const Variable& parameter = m_[m_[c.target].parameters[i]];
         look({&c, i}, parameter, c.arguments[i], here);
       }
-      if (!always || !c.target.valid()) {
+      if (isPassed(c, always)) {
         narrowing_.assume(before, c.guard, Asked::NotTrue);
       }
     }
+  }
+
+  /// Whether a later case of its list may fire only if its guard is not true.
+  static bool isPassed(const Case& c, bool always) { return !always || !c.target.valid(); }
+
+  /// Once more, with what the guard of a later case says: of `a && b` that was not true it may tell
+  /// which.
+  void assumePassed(Knowledge& here, std::span<const Case> before, bool always) {
+    constexpr size_t kMost = 64;  // the nearest
+    for (const Case& c : before.last(std::min(kMost, before.size()))) {
+      if (isPassed(c, always)) {
+        narrowing_.assume(here, c.guard, Asked::NotTrue);
+      }
+    }
+  }
+
+  [[nodiscard]] bool isDoubtful(const Case& c) const {
+    return holdsDoubtful(&c, c.arguments.size()) || isDoubtful(c.action);
+  }
+
+  // NOLINTNEXTLINE(misc-no-recursion): as deep as the mission's text nests
+  [[nodiscard]] bool isDoubtful(BlockId id) const {
+    if (!id.valid()) {
+      return false;
+    }
+    const std::vector<Statement>& statements = m_[id].statements;
+    return holdsDoubtful(&m_[id], statements.size()) ||
+           std::ranges::any_of(statements, [&](const Statement& s) {
+             return s.kind == StatementKind::If && (isDoubtful(s.then) || isDoubtful(s.otherwise));
+           });
+  }
+
+  [[nodiscard]] bool holdsDoubtful(const void* owner, size_t places) const {
+    const auto first = doubtful_.lower_bound({owner, 0});
+    return first != doubtful_.end() && first->first == owner && first->second < places;
   }
 
   void look(const AssignmentPlace& place, const Variable& variable, ExprId value,

@@ -11,6 +11,7 @@
 #include <array>
 #include <bit>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <optional>
 #include <tuple>
@@ -47,6 +48,7 @@ Knowledge common(const Knowledge& a, const Knowledge& b) {
       both.within.emplace(expression, hull(interval, other->second));
     }
   }
+  std::ranges::set_intersection(a.known, b.known, std::inserter(both.known, both.known.end()));
   return both;
 }
 
@@ -85,20 +87,28 @@ bool Narrowing::isAlwaysKnown(ExprId id) const {
          (e.op == Op::Variable && m_[e.variable].kind == VariableKind::Parameter);
 }
 
+bool Narrowing::isKnown(const Knowledge& knowledge, ExprId id) const {
+  return isAlwaysKnown(id) || knowledge.known.contains(first_[id.index]);
+}
+
 void Narrowing::set(Knowledge& knowledge, VariableId variable, Interval given, bool kept) {
   const Variable& v = m_[variable];
   const Interval range{v.lowest, v.highest, false};
   std::optional<uint32_t> itself;
   Interval before = range;
+  const auto reads = [&](uint32_t id) {
+    return anyIn(m_, ExprId{id},
+                 [&](const Expr& x) { return x.op == Op::Variable && x.variable == variable; });
+  };
   std::erase_if(knowledge.within, [&](const auto& entry) {
     const Expr& e = m_.exprs[entry.first];
     if (e.op == Op::Variable && e.variable == variable) {
       itself = entry.first;
       before = entry.second;
     }
-    return anyIn(m_, ExprId{entry.first},
-                 [&](const Expr& x) { return x.op == Op::Variable && x.variable == variable; });
+    return reads(entry.first);
   });
+  std::erase_if(knowledge.known, reads);
   if (v.type.kind == TypeKind::Bool) {
     return;
   }
@@ -150,9 +160,10 @@ void Narrowing::assumeEither(Knowledge& knowledge, const Expr& e, Asked asked, u
 }
 
 /// A comparison that is not true is false or unknown. It restricts one side only if the other is
-/// always known: otherwise that side may be the reason.
+/// known: otherwise that side may be the reason.
 void Narrowing::compare(Knowledge& knowledge, const Expr& e, Asked asked) {
-  const bool definite = asked == Asked::True || asked == Asked::False;
+  const bool definite = asked == Asked::True || asked == Asked::False ||
+                        (isKnown(knowledge, e.operands[0]) && isKnown(knowledge, e.operands[1]));
   const bool holds = asked == Asked::True || asked == Asked::NotFalse;
   const Op op = holds ? e.op : negated(e.op);
   const Interval left = intervalOf(knowledge, e.operands[0]);
@@ -161,10 +172,13 @@ void Narrowing::compare(Knowledge& knowledge, const Expr& e, Asked asked) {
     knowledge.unreachable = definite;  // a side is never known
     return;
   }
-  if (definite || isAlwaysKnown(e.operands[1])) {
+  if (definite) {
+    knowledge.known.insert({first_[e.operands[0].index], first_[e.operands[1].index]});
+  }
+  if (definite || isKnown(knowledge, e.operands[1])) {
     narrow(knowledge, e.operands[0], op, right, definite);
   }
-  if (definite || isAlwaysKnown(e.operands[0])) {
+  if (definite || isKnown(knowledge, e.operands[0])) {
     narrow(knowledge, e.operands[1], mirrored(op), left, definite);
   }
 }

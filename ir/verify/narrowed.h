@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <map>
 #include <optional>
+#include <set>
 #include <vector>
 
 namespace glider::ir {
@@ -17,6 +18,8 @@ namespace glider::ir {
 /// that conditions have compared. The key is the first expression with the same reading.
 struct Knowledge {
   std::map<uint32_t, Interval> within;
+  std::set<uint32_t>
+      known;  ///< expressions that are not unknown: a comparison of them was true or false
   bool unreachable = false;  ///< the place is never reached
 };
 
@@ -45,6 +48,7 @@ class Narrowing {
   void assumeBoth(Knowledge& knowledge, const Expr& e, Asked asked, unsigned depth);
   void assumeEither(Knowledge& knowledge, const Expr& e, Asked asked, unsigned depth);
   void compare(Knowledge& knowledge, const Expr& e, Asked asked);
+  [[nodiscard]] bool isKnown(const Knowledge& knowledge, ExprId id) const;
   void narrow(Knowledge& knowledge, ExprId side, Op op, const Interval& other, bool definite);
   [[nodiscard]] Interval allowed(ExprId side, Op op, const Interval& now,
                                  const Interval& other) const;

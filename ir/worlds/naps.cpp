@@ -5,6 +5,12 @@
 
 namespace glider::ir {
 
+double napAhead_m(const platforms::Platform& platform) {
+  const platforms::EnvironmentModel& world = platform.world;
+  return platform.envelope.vertical_rate_m_s * (world.tick_gap_s + kNapLag_s) +
+         2 * world.depth_error_m;
+}
+
 void allowForNaps(const Mission& mission, platforms::EnvironmentModel& world) {
   if (mission.nap_s) {
     world.command_delay_s += kNapLag_s;

@@ -27,7 +27,7 @@ class MissionClock {
     anchor_ = anchor;
     vehicle_ = vehicle_time;
     sbc_ = sbc_time;
-    silence_ = 0;
+    silence_ = asleep_ = 0;
   }
   /// From which mission time counts.
   [[nodiscard]] const ClockAnchor& anchor() const { return anchor_; }
@@ -44,7 +44,8 @@ class MissionClock {
     const double passed = vehicle_time - vehicle_;
     const bool behind = !kept && reached - missionAt(vehicle_time) > kMostSilence;
     if (!(passed >= 0 && passed <= kMostCycle * cycles) || behind) {
-      const double here = kept ? earlier(kCycle * cycles, kMostSilence) : passedHere(sbc_time);
+      const double here =
+          kept ? earlier(kCycle * cycles, kMostSilence) : passedHere(sbc_time) + asleep_;
       anchor_ = {vehicle_time, reached + here};
     }
     // When a kept frame was made is known by the vehicle's time alone.
@@ -52,7 +53,7 @@ class MissionClock {
     most_ = kept ? most_ : kMostSilence;
     cycle_ = cycle;
     vehicle_ = vehicle_time;
-    silence_ = 0;
+    silence_ = asleep_ = 0;
     return missionAt(vehicle_time);
   }
 
@@ -61,9 +62,12 @@ class MissionClock {
 
   /// No frame has arrived: mission time by the SBC's own clock. A jump of that clock adds at most
   /// kMostSilence since it was last read, so that the vehicle's frames, when they resume, need no
-  /// longer than that to catch up.
+  /// longer than that to catch up. The same after a sleep, of which the vehicle has kept the frames:
+  /// its time counts only if the vehicle's own does not.
   double withoutFrame(double sbc_time) {
-    silence_ += passedHere(sbc_time);
+    const double passed = passedHere(sbc_time);
+    silence_ += earlier(passed, kMostSilence);
+    asleep_ += passed - earlier(passed, kMostSilence);
     sbc_ = sbc_time;
     most_ = kMostSilence;
     return missionAt(vehicle_) + silence_;
@@ -94,6 +98,7 @@ class MissionClock {
   uint32_t cycle_ = 0;          ///< its number; 0: not known yet
   double sbc_ = 0;              ///< SBC time when it was last read
   double silence_ = 0;          ///< s since the newest frame
+  double asleep_ = 0;           ///< s since then that silence_ leaves out
   double most_ = kMostSilence;  ///< that may have passed since it was last read
 };
 

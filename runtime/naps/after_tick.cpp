@@ -9,8 +9,13 @@
 namespace glider::runtime {
 namespace {
 
+/// s: how long before a time at which something follows from time alone the SBC is woken, so that
+/// it has read its line by then.
+constexpr double kAhead_s = kHookMostWakeSecs + kHookReplaySecs + 4;
 /// s. A shorter sleep saves little: the board needs time to wake.
 constexpr uint32_t kShortest_s = 20;
+/// s: more than any mission's line.
+constexpr double kEndless_s = 1e9;
 /// s: cycles that may be kept beyond the time to wake.
 constexpr double kWhileWaking_s = 12;
 /// s: what a difference of mission times may be rounded by.
@@ -57,7 +62,8 @@ void sleep(const NapTick& now, const GliderNap& found, NapMemory& memory) {
   const uint32_t allowed = memory.limit_s > around ? memory.limit_s - around : 0;
   // Rounded down, except for the whole time of the mission's line.
   const double longest = now.context.mission->naps->longest;
-  const double seconds = found.seconds < longest ? found.seconds - kRounded_s : longest;
+  const double foreseen = found.seconds - kAhead_s - kRounded_s;
+  const double seconds = foreseen < longest ? foreseen : longest;
   const auto wanted = static_cast<uint32_t>(seconds > 0 ? seconds : 0);
   nap.length_s = static_cast<uint16_t>(wanted < allowed ? wanted : allowed);
   if (nap.length_s < kShortest_s) {
@@ -131,7 +137,7 @@ extern "C" void gliderNapAfterTick(void* memory, const void* tick) {
   takeLimit(now, kept);
   noticeLateness(now, kept);
   GliderWake wakes[GLIDER_MOST_WAKES];
-  GliderNap found = {now.context.mission->naps->longest, wakes, 0, 0};
+  GliderNap found = {kEndless_s, wakes, 0, 0};
   const bool as_before = isAsBefore(now, kept);
   if (as_before && maySleep(now) && foresee(now.context, found)) {
     sleep(now, found, kept);

@@ -57,6 +57,15 @@ void addPast(GliderNap& nap, const GliderSensorInfo& sensor, bool above, double 
   }
 }
 
+/// How far before `number` it is to be woken, m: the vehicle is on its way there, and would hover
+/// there until the SBC is awake.
+double aheadOf(const GliderContext& context, uint32_t sensor, double number, bool above) {
+  const GliderNaps& naps = *context.mission->naps;
+  const bool goes_there = above ? context.vertical == kGliderDescend && number <= context.depth
+                                : context.vertical == kGliderAscend && number >= context.depth;
+  return sensor == naps.depth && goes_there ? naps.ahead : 0;
+}
+
 /// In the vehicle's unit. The quotient is rounded: a little on the side of waking too early.
 double inUnitOf(const GliderSensorInfo& sensor, double number, bool above) {
   constexpr double kRounded = 0x1p-40;
@@ -117,7 +126,12 @@ extern "C" void gliderNapCrossed(GliderNap* nap, const GliderContext* context, u
     glider::runtime::addPast(*nap, info, false, reading.raw);
   } else {
     const bool above = reading.value < number;
-    glider::runtime::addBeyond(*nap, info, above, glider::runtime::inUnitOf(info, number, above));
+    const double ahead = glider::runtime::aheadOf(*context, sensor, number, above);
+    const double first = above ? number - ahead : number + ahead;
+    if (above ? reading.value >= first : reading.value <= first) {
+      nap->awake = 1;
+    }
+    glider::runtime::addBeyond(*nap, info, above, glider::runtime::inUnitOf(info, first, above));
   }
 }
 

@@ -83,6 +83,12 @@ bool isOfSensors(FaultKind kind) {
   return promiseOf(kind).deepest >= Deepest::TenMetres;
 }
 
+bool leavesTheSbc(FaultKind kind) {
+  const Control control = promiseOf(kind).control;
+  return kind != FaultKind::Clock && kind != FaultKind::Several &&
+         (control == Control::Kept || control == Control::Any);
+}
+
 Promise promiseOf(std::span<const FaultKind> kinds) {
   Promise all;
   for (const FaultKind kind : kinds) {

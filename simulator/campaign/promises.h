@@ -69,6 +69,8 @@ Promise promiseOf(FaultKind kind);
 Promise promiseOf(std::span<const FaultKind> kinds);
 /// True if a sensor of the vehicle reports what is not true.
 bool isOfSensors(FaultKind kind);
+/// True if line, computers and clock are as they should be.
+bool leavesTheSbc(FaultKind kind);
 
 /// The greatest true depth allowed while `limit_m` is in force, m.
 double deepestAllowed(Deepest deepest, double limit_m);

@@ -24,7 +24,7 @@ class AgreeingVehicle {
       : sbc_(sbc),
         numbers_(platform),
         dictionary_(platform),
-        seat_(dictionary_.get(), {.virtual_time = true}) {}
+        seat_(dictionary_.get(), {.virtual_time = true, .obeys = kEverything}) {}
 
   /// A flight cycle before that of `offerControl`: the vehicle floats at the surface, and does
   /// not offer control yet. A mission begins only after it has seen the surface.
@@ -42,6 +42,10 @@ class AgreeingVehicle {
   [[nodiscard]] bool finished() const;
 
  private:
+  /// Whatever a mission may need of a vehicle. It allows no naps: x_hook_nap_secs is not known.
+  static constexpr uint16_t kEverything = hooks::kFeatureFixedFin | hooks::kFeatureActuators |
+                                          hooks::kFeatureSampling | hooks::kFeatureNaps;
+
   void show(const std::vector<ReplayReading>& readings);
   /// One flight cycle at vehicle time `time`, s.
   void cycle(double time);

@@ -125,6 +125,42 @@ TEST_F(Replay, AFolderOfATraceThatHoldsOtherFilesIsNotTouched) {
   EXPECT_TRUE(std::filesystem::exists(trace(3)));
 }
 
+/// The vehicle of a counterexample has all that a mission may need.
+TEST_F(Replay, MissionsThatNeedMoreOfTheVehicleFlyTheirTraces) {
+  const std::string begin = R"(mission m
+nap at most 4 min
+require visit b within 2 h
+
+state a
+begin
+  flightroute   )";
+  const std::string end = R"(
+  flightprofile yo(5 m, 20 m)
+  sensors       missiontime, battery
+  sample        fluorometer off
+  events
+    case battery < 11 V    exit
+    case missiontime > 1 h goto b
+end
+
+state b
+begin
+  flightprofile surfaced
+  sensors       statetime
+  events
+    case statetime > 20 min exit
+end
+)";
+  for (const char* route : {"heading(90 deg)", "fixed_fin(5 deg)"}) {
+    (void)folder_.write("m.mission", begin + route + end);
+    const std::string traces = (folder_.path() / "t").string();
+    EXPECT_EQ(runShell("$GLIDERCC check --traces " + traces + " " + mission_).status, 1);
+    const Outcome flown =
+        runShell("$GLIDERCC sim " + mission_ + " --replay " + traces + "/requirement-1");
+    EXPECT_THAT(flown.out, HasSubstr("violates `require visit b")) << route << flown.err;
+  }
+}
+
 TEST_F(Replay, AMissionThatWasFixedNoLongerFliesTheTrace) {
   std::string mended = kReplayed;
   mended.replace(mended.find("goto warm"), 9, "exit     ");

@@ -37,6 +37,45 @@ TEST(Campaign, EveryKindOfFaultEndsAsStated) {
   EXPECT_THAT(rows, HasSubstr(",released,"));
 }
 
+/// What few missions use is judged as what all use: instruments, and an SBC that sleeps.
+TEST(Campaign, MissionsThatSampleAndThatSleepKeepEveryPromise) {
+  const TemporaryFolder folder;
+  const std::string samples = folder.write("samples.mission", R"(mission samples
+state look
+begin
+  flightprofile yo(5 m, 20 m)
+  sensors       missiontime, depth
+  sample        ctd every 20 s below 10 m, fluorometer off
+  events
+    case missiontime > 40 min exit
+end
+)");
+  const std::string sleeps = folder.write("sleeps.mission", R"(mission sleeps
+nap at most 4 min
+state down
+begin
+  flightroute   heading(90 deg)
+  flightprofile yo(5 m, 50 m)
+  sensors       missiontime, depth, temp
+  events
+    case statetime > 20 min goto hold
+end
+
+state hold
+begin
+  flightroute   noheading
+  flightprofile hover_at(15 m)
+  sensors       missiontime, depth, temp
+  events
+    case statetime > 30 min exit
+end
+)");
+  const Outcome outcome = runShell("$GLIDERCC campaign " + samples + " " + sleeps +
+                                   " --flights 156 --boards 0 --seed 1");
+  EXPECT_EQ(outcome.status, 0) << outcome.out << outcome.err;
+  EXPECT_THAT(outcome.out, ContainsRegex("\nnone +4 +4 +0 +0 +[0-9.]+ +0\n"));
+}
+
 TEST(Campaign, SaysNothingOfAFaultThatWasNotFlown) {
   const Outcome outcome = runShell("$GLIDERCC campaign " + project("missions/figure2.mission") +
                                    " --flights 1 --boards 0 --seed 1");

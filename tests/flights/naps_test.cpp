@@ -14,18 +14,17 @@ namespace glider::tests {
 namespace {
 
 constexpr double kCycle_s = 4;
-constexpr double kLag_s = 15 + 4 * kCycle_s;
 
 std::string missionText(const std::string& nap) {
   return "mission sleeper\n" + nap + R"(
 state out
 begin
   flightroute   heading(90 deg)
-  flightprofile yo(5 m, 25 m)
+  flightprofile yo(5 m, 50 m)
   sensors       missiontime, depth, battery every 60 s
   events
     case battery < 9 V exit
-    case became(depth > 24 m) && statetime > 20 min goto slow
+    case became(depth > 48 m) && statetime > 20 min goto slow
 end
 
 state slow
@@ -40,7 +39,7 @@ end
 state back
 begin
   flightroute   heading(270 deg)
-  flightprofile yo(5 m, 25 m)
+  flightprofile yo(5 m, 50 m)
   sensors       missiontime, depth, temp
   events
     case missiontime > 75 min exit
@@ -70,7 +69,8 @@ size_t sleepsOf(const Flight& flight) {
       flight.events, [&](const Event& e) { return e.what.starts_with("the SBC sleeps"); }));
 }
 
-/// The same transitions, in the same order. The vehicle turns later by the time to wake.
+/// The same transitions at the same times, to what the line between the vehicle's computers adds:
+/// the SBC is awake before a depth that the vehicle goes to and before a time.
 void expectAlike(const Pair& flights) {
   ASSERT_EQ(flights.awake.outcome.status, 0) << flights.awake.outcome.err;
   ASSERT_EQ(flights.asleep.outcome.status, 0) << flights.asleep.outcome.err;
@@ -80,6 +80,7 @@ void expectAlike(const Pair& flights) {
   EXPECT_GE(awake.size(), 3U);
   for (size_t i = 0; i < awake.size(); ++i) {
     EXPECT_EQ(awake[i].what, asleep[i].what);
+    EXPECT_NEAR(awake[i].time_s, asleep[i].time_s, 2 * kCycle_s) << awake[i].what;
   }
 }
 
@@ -122,6 +123,28 @@ end
     EXPECT_TRUE(std::ranges::none_of(flight.events, [](const Event& e) {
       return e.what.find("revoked") != std::string::npos;
     })) << seed;
+  }
+}
+
+/// The SBC's own clock says nothing of a sleep: the vehicle keeps its frames with their times.
+TEST(Naps, AClockThatJumpsInANapChangesNothing) {
+  const TemporaryFolder folder;
+  const std::string mission = folder.write("asleep.mission", missionText("nap at most 4 min"));
+  const std::string scenario =
+      folder.write("jumps.toml", slurp(project("scenarios/default.toml")) +
+                                     "\n[[faults.clock]]\nat_s = 1900\nby_s = 995076\n");
+  const Flight whole = fly(mission), jumps = fly(mission + " --scenario " + scenario);
+  ASSERT_EQ(jumps.outcome.status, 0) << jumps.outcome.err;
+  EXPECT_TRUE(std::ranges::any_of(jumps.events, [](const Event& e) {
+    return e.time_s > 1700 && e.time_s < 1720 && e.what.starts_with("the SBC sleeps");
+  }));
+  EXPECT_TRUE(std::ranges::none_of(
+      jumps.events, [](const Event& e) { return e.what.find("revoked") != std::string::npos; }));
+  const auto expected = whole.transitions(), found = jumps.transitions();
+  ASSERT_EQ(found.size(), expected.size());
+  for (size_t i = 0; i < found.size(); ++i) {
+    EXPECT_EQ(found[i].what, expected[i].what);
+    EXPECT_NEAR(found[i].time_s, expected[i].time_s, 2 * kCycle_s);
   }
 }
 

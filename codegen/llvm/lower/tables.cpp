@@ -10,6 +10,8 @@
 #include "ir/core/parameter_info.h"
 #include "ir/core/sampling.h"
 #include "ir/core/walk.h"
+#include "ir/worlds/depth_sensor.h"
+#include "ir/worlds/naps.h"
 #include "ir/worlds/start_depth.h"
 #include "platforms/load/dictionary.h"
 #include "runtime/abi/glider_abi.h"
@@ -124,6 +126,7 @@ class Tables {
   llvm::Constant* poll(const ir::Sensor& sensor);
   llvm::Constant* compass();
   llvm::Constant* naps();
+  [[nodiscard]] size_t depthSensor() const;
   llvm::Constant* function(const char* name);
   llvm::Constant* states();
   llvm::Constant* parameters();
@@ -190,6 +193,11 @@ llvm::Constant* Tables::compass() {
   return variable;
 }
 
+size_t Tables::depthSensor() const {
+  const auto depth = ir::depthSensor(lowering_.mission, lowering_.platform);
+  return depth ? depth->index : GLIDER_NO_SENSOR;
+}
+
 llvm::Constant* Tables::naps() {
   const std::optional<double> longest = lowering_.mission.nap_s;
   if (!longest) {
@@ -197,7 +205,8 @@ llvm::Constant* Tables::naps() {
   }
   llvm::Constant* value = llvm::ConstantStruct::get(
       lowering_.types.GliderNaps,
-      {number(*longest), word(kHookMostWakeSecs), word(decidingVariables(lowering_.mission)),
+      {number(*longest), number(ir::napAhead_m(lowering_.platform)), word(depthSensor()),
+       word(kHookMostWakeSecs), word(decidingVariables(lowering_.mission)), word(0),
        function("gliderNapAfterTick")});
   auto* variable = new llvm::GlobalVariable(lowering_.module, lowering_.types.GliderNaps, true,
                                             llvm::GlobalValue::PrivateLinkage, value, "naps");

@@ -8,6 +8,7 @@
 #include "ir/prove/context/setting.h"
 #include "ir/verify/intervals.h"
 #include "ir/verify/whole_numbers.h"
+#include "ir/worlds/depth_sensor.h"
 
 #include <algorithm>
 
@@ -85,16 +86,6 @@ ProofContext ProofContext::endingBy(double latest) const {
   ProofContext same(mission, platform, latest);
   same.tick_gap_s = tick_gap_s;
   return same;
-}
-
-std::optional<SensorId> depthSensor(const Mission& mission, const platforms::Platform& platform) {
-  for (uint32_t i = 0; i < mission.sensors.size(); ++i) {
-    const platforms::PlatformSensor* sensor = platform.find(mission.sensors[i].vehicle_name);
-    if (sensor != nullptr && sensor->alias == "depth") {
-      return SensorId{i};
-    }
-  }
-  return std::nullopt;
 }
 
 }  // namespace glider::ir::prove

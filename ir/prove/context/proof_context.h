@@ -62,7 +62,4 @@ struct ProofContext {
   ProofContext(const Mission& mission, const platforms::Platform& platform, double latest);
 };
 
-/// The sensor of a mission that is the vehicle's own depth; none if the mission does not read it.
-std::optional<SensorId> depthSensor(const Mission& mission, const platforms::Platform& platform);
-
 }  // namespace glider::ir::prove

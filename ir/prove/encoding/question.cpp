@@ -4,11 +4,13 @@
 #include "ir/prove/encoding/question.h"
 
 #include "ir/core/pilot_name.h"
+#include "ir/prove/context/duration_text.h"
 #include "ir/verify/value_text.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace glider::ir::prove {
 
@@ -99,6 +101,13 @@ uint64_t stepsIn(const z3::stats& statistics) {
 
 namespace {
 
+/// Long times as pilots say them, where that says all.
+std::string momentOf(double seconds) {
+  constexpr double kLong_s = 3600;
+  return seconds >= kLong_s && seconds == std::floor(seconds) ? durationOf(seconds)
+                                                              : fmt::format("{:.6g} s", seconds);
+}
+
 class Description {
  public:
   Description(const z3::model& model, SymbolicState& moment) : model_(model), moment_(moment) {}
@@ -124,7 +133,7 @@ class Description {
       }
     }
     for (const auto& [name, clock] : moment_.clocks()) {
-      add(name, fmt::format("= {:.6g} s", doubleOf(model_, clock)));
+      add(name, "= " + momentOf(doubleOf(model_, clock)));
     }
     return text_;
   }

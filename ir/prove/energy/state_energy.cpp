@@ -6,6 +6,7 @@
 #include "ir/prove/abstract/end_bound.h"
 #include "ir/prove/energy/greatest_walk.h"
 #include "ir/prove/energy/profile_legs.h"
+#include "ir/worlds/naps.h"
 
 #include <algorithm>
 #include <cmath>
@@ -69,6 +70,7 @@ class StateGraph {
         stroke_cc_(2 * platform_.envelope.pump_cc),
         stroke_s_(stroke_cc_ / platform_.motion->pump_rate_cc_s),
         late_s_(platform_.world.command_delay_s),
+        late_there_s_(late_s_ - (m_.nap_s ? kNapLag_s : 0)),
         legs_(legsOf(context, state)),
         fastest_m_s_(fastest()) {}
 
@@ -268,10 +270,12 @@ class StateGraph {
   }
 
   /// What its pump and battery may do in addition while a command is late: where a depth is reached
-  /// and no command comes, hookbeh begins to hover.
+  /// and no command comes, hookbeh begins to hover. Naps add nothing (napAhead_m): wherever the
+  /// profile turns at the depth that it goes to, the SBC is awake by then.
   [[nodiscard]] EnergyUse whileLate() const {
-    EnergyUse use = pumped(power_, platform_.motion->pump_rate_cc_s / 2 * late_s_, deepest_m_);
-    use.pitch_battery_s = late_s_;
+    EnergyUse use =
+        pumped(power_, platform_.motion->pump_rate_cc_s / 2 * late_there_s_, deepest_m_);
+    use.pitch_battery_s = late_there_s_;
     return use;
   }
 
@@ -341,7 +345,8 @@ class StateGraph {
   const platforms::EnergyModel& model_;
   const GreatestPower& power_;
   double deepest_m_, stroke_cc_, stroke_s_;
-  double late_s_;  ///< how much later than usual a command is obeyed
+  double late_s_;        ///< how much later than usual a command is obeyed
+  double late_there_s_;  ///< where a dive or climb arrives, before which the SBC is woken
   ProfileLegs legs_;
   double fastest_m_s_;
   std::vector<Phase> phases_;

@@ -78,6 +78,29 @@ const GuardedRow kGuardedRows[] = {
     {"accepted", "case (eq (var n) 2) do set n (add (var n) 3) end stay"},
     {"refused", "case (eq (var n) 2) do set n (add (var n) 4) end stay"},
     {"accepted", "case (not (ge (var n) 5)) do set n (add (var n) 1) end stay"},
+    // Of `a && b` above, `a` is known to be true here: so `b` is not.
+    {"accepted",
+     "case (and (gt statetime 9:time) (ge (var n) 5)) exit "
+     "case (gt statetime 9:time) do set n (add (var n) 1) end goto a"},
+    {"accepted",
+     "case (and (gt (sensor depth) 9:length) (ge (var n) 5)) exit "
+     "case (gt (sensor depth) 9:length) do set n (add (var n) 1) end goto a"},
+    {"accepted",
+     "case (and (gt (sensor depth) 9:length) (ge (var n) 5)) exit "
+     "case (gt (sensor depth) 12:length) do set n (add (var n) 1) end goto a"},
+    {"refused",
+     "case (and (gt (sensor depth) 9:length) (ge (var n) 5)) exit "
+     "case (gt (sensor depth) 8:length) do set n (add (var n) 1) end goto a"},
+    {"refused",
+     "case (and (lt (sensor depth) 9:length) (ge (var n) 5)) exit "
+     "case (gt (sensor depth) 8:length) do set n (add (var n) 1) end goto a"},
+    {"refused",  // the depth may be unknown
+     "case (and (gt (sensor depth) 9:length) (ge (var n) 5)) exit "
+     "case (gt statetime 9:time) do set n (add (var n) 1) end goto a"},
+    {"refused",  // n has been set in between
+     "case (and (gt statetime 9:time) (ge (var n) 4)) exit "
+     "case (gt statetime 9:time) do set n (add (var n) 1) set n (add (var n) 1) "
+     "set n (add (var n) 1) end goto a"},
     {"accepted",
      "case (and (gt (sensor depth) 5:length) (lt (var n) 5)) "
      "do set n (add (var n) 1) end stay"},

@@ -20,6 +20,8 @@ using hooks::NapKind;
 constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
 constexpr double kEndless = std::numeric_limits<double>::infinity();
 
+constexpr double kAhead_m = 16;
+
 double pollNothing(double /*mission_time*/) {
   return kUnknown;
 }
@@ -29,6 +31,7 @@ class Foreseen : public ::testing::Test {
   Foreseen() {
     mission_.sensors = sensors_.data();
     mission_.sensor_count = static_cast<uint32_t>(sensors_.size());
+    mission_.naps = &naps_;
     context_.mission = &mission_;
     context_.readings = readings_.data();
     context_.mission_time = 1000;
@@ -62,6 +65,7 @@ class Foreseen : public ::testing::Test {
       {"lat", nullptr, 1, -9000, 9000, 20, 11, kGliderDegreesMinutes},
       {"own", pollNothing, 1, -2, 1200, 20, 0xFF00, kGliderLinear}};
   std::vector<GliderReading> readings_ = std::vector<GliderReading>(4, {0, 0, kUnknown, 0, 0});
+  GliderNaps naps_{240, kAhead_m, 0, 10, 0, 0, nullptr};
   GliderMission mission_{};
   GliderContext context_{};
   GliderWake wakes_[GLIDER_MOST_WAKES] = {};
@@ -86,6 +90,69 @@ TEST_F(Foreseen, TheNearestNumberOnEachSideCounts) {
   EXPECT_EQ(nap_.count, 2U);
   EXPECT_EQ(valueOf(7, NapKind::AtLeast), 30);
   EXPECT_EQ(valueOf(7, NapKind::AtMost), 15);
+}
+
+/// The vehicle would hover there until the SBC is awake.
+TEST_F(Foreseen, ADepthThatItIsOnItsWayToWakesAhead) {
+  reads(0, 20, 20);
+  context_.depth = 50;
+  context_.vertical = kGliderDescend;
+  crossed(0, 50);
+  crossed(0, 3);
+  EXPECT_EQ(valueOf(7, NapKind::AtLeast), 50 - kAhead_m);
+  EXPECT_EQ(valueOf(7, NapKind::AtMost), 3);
+  EXPECT_EQ(nap_.awake, 0U);
+  nap_.count = 0;
+  context_.depth = 3;
+  context_.vertical = kGliderAscend;
+  crossed(0, 50);
+  crossed(0, 3);
+  EXPECT_EQ(valueOf(7, NapKind::AtLeast), 50);
+  EXPECT_EQ(valueOf(7, NapKind::AtMost), 3 + kAhead_m);
+  EXPECT_EQ(nap_.awake, 0U);
+}
+
+TEST_F(Foreseen, NoSleepWhereItIsNearADepthThatItIsOnItsWayTo) {
+  context_.depth = 50;
+  context_.vertical = kGliderDescend;
+  for (const auto& [depth, awake] : {std::pair(33.9, 0U), {34.0, 1U}, {49.0, 1U}}) {
+    nap_.awake = 0;
+    reads(0, depth, depth);
+    crossed(0, 50);
+    EXPECT_EQ(nap_.awake, awake) << depth;
+  }
+  context_.depth = 3;
+  context_.vertical = kGliderAscend;
+  for (const auto& [depth, awake] : {std::pair(19.1, 0U), {19.0, 1U}, {4.0, 1U}}) {
+    nap_.awake = 0;
+    reads(0, depth, depth);
+    crossed(0, 3);
+    EXPECT_EQ(nap_.awake, awake) << depth;
+  }
+}
+
+/// It does not go beyond its target, nor anywhere while it hovers; and only its depth is meant.
+TEST_F(Foreseen, NumbersThatItIsNotOnItsWayToDoNotWakeAhead) {
+  context_.depth = 50;
+  context_.vertical = kGliderDescend;
+  reads(0, 20, 20);
+  crossed(0, 51);
+  EXPECT_EQ(valueOf(7, NapKind::AtLeast), 51);
+  reads(1, 2, 2);
+  crossed(1, 50);
+  EXPECT_GT(valueOf(9, NapKind::AtLeast), 49e-5);
+  context_.vertical = kGliderAscend;
+  crossed(0, 19);
+  EXPECT_EQ(valueOf(7, NapKind::AtMost), 19);
+  for (const auto vertical : {kGliderHover, kGliderSurface, kGliderActuators, kGliderNoVertical}) {
+    nap_.count = 0;
+    context_.vertical = vertical;
+    crossed(0, 50);
+    crossed(0, 19);
+    EXPECT_EQ(valueOf(7, NapKind::AtLeast), 50);
+    EXPECT_EQ(valueOf(7, NapKind::AtMost), 19);
+  }
+  EXPECT_EQ(nap_.awake, 0U);
 }
 
 TEST_F(Foreseen, AReadingAtTheNumberIsLeftByAnyOther) {

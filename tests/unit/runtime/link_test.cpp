@@ -412,6 +412,32 @@ TEST(MissionClock, NoVehicleTimeStopsItOrCarriesItAway) {
   }
 }
 
+/// The frames of a sleep that the vehicle has kept come later, with their own times.
+TEST(MissionClock, ASleepBeforeSilenceDoesNotCount) {
+  for (const double woken : {640.0, 1e6}) {  // in time, or by a clock that jumps
+    MissionClock clock;
+    clock.start(100, 0);
+    EXPECT_EQ(clock.atFrame(500, 125, 400), 400);
+    clock.sleeps(240);
+    EXPECT_EQ(clock.withoutFrame(woken), 416);
+    EXPECT_EQ(clock.withoutFrame(woken + 12), 428);
+    EXPECT_EQ(clock.atFrame(504, 126, woken + 13, true), 404);
+    EXPECT_EQ(clock.atFrame(740, 185, woken + 13, true), 640);
+    EXPECT_EQ(clock.atFrame(744, 186, woken + 14), 644);
+  }
+}
+
+TEST(MissionClock, ASleepCountsIfTheVehicleThenRestarts) {
+  MissionClock clock;
+  clock.start(100, 0);
+  EXPECT_EQ(clock.atFrame(500, 125, 400), 400);
+  clock.sleeps(240);
+  EXPECT_EQ(clock.withoutFrame(640), 416);
+  EXPECT_EQ(clock.atFrame(4, 1, 644), 644);
+  EXPECT_EQ(clock.atFrame(8, 2, 648), 648) << "and only once";
+  EXPECT_EQ(clock.withoutFrame(660), 660);
+}
+
 TEST(MissionClock, OverARestartOfTheVehicleTheSbcsClockCounts) {
   MissionClock clock;
   clock.start(100, 0);

@@ -54,7 +54,7 @@ class NapTicks : public hooks::ClientTest {
     head_.subscription = hooks::subscriptionCheck(subscription());
     state_.name = "fly";
     state_.foresee = foreseeSaid;
-    naps_ = {240, 10, 2, gliderNapAfterTick};
+    naps_ = {240, 0, GLIDER_NO_SENSOR, 10, 2, 0, gliderNapAfterTick};
     mission_.name = "m";
     mission_.state_count = 1;
     mission_.states = states_;
@@ -164,16 +164,17 @@ TEST_F(NapTicks, NotWhereNothingCanBeForeseen) {
   EXPECT_FALSE(afterTick());
 }
 
-TEST_F(NapTicks, ATimeIsRoundedDownAndNotTooShort) {
+/// It has woken and read its line by then: 15 s, and a cycle of the vehicle.
+TEST_F(NapTicks, ItIsAwakeBeforeATimeAndDoesNotSleepTooShortly) {
   rest();
   for (const auto& [seconds, length] :
-       {std::pair(100.0, 99), {100.5, 100}, {21.0, 20}, {1e9, 240}}) {
+       {std::pair(119.0, 99), {119.5, 100}, {40.0, 20}, {259.0, 239}, {260.0, 240}, {1e9, 240}}) {
     said.until_s = seconds;
     const auto nap = afterTick();
     ASSERT_TRUE(nap) << seconds;
     EXPECT_EQ(nap->length_s, length);
   }
-  for (const double seconds : {20.0, 4.0, 0.0}) {
+  for (const double seconds : {39.0, 20.0, 4.0, 0.0}) {
     said.until_s = seconds;
     EXPECT_FALSE(afterTick()) << seconds;
   }

@@ -138,6 +138,9 @@ void FlightJudge::judgeObeyed(const CycleView& view) {
   Words words_obeyed;
 #define WORD(role, sensor, word, ...) words_obeyed.word = view.array.get(Sensor::sensor);
 #define CHECK_WORD(role, sensor, word, line) words_obeyed.word = view.array.get(Sensor::sensor);
+// Of a mission without the feature the sensor holds nothing, which counts as 0.
+#define LATER_WORD(role, sensor, word, ...) \
+  words_obeyed.word = std::max(0.0, view.array.get(Sensor::sensor));
 #include "hooks/protocol/instruction.def"
   ++verdict_.instructions;
   const auto found = said_.find(number);

@@ -88,6 +88,10 @@ std::string allowedBy(JudgeId judge) {
           "and commands a depth, the water is deep enough, and its readings have been right for "
           "{:.0f} min; not if the depth had jumped and no CTD has agreed with it since",
           kAtSurfaceSecs, kLongSecs / 3600, 100 * kSurfaceShare, kTakesHoldSecs, kRightSecs / 60);
+    case JudgeId::Naps:
+      return "an SBC that sleeps and changes its command, or the mission's state, more than 19 s "
+             "after "
+             "the tick that decides it, unless a fault is of the line, a computer or a clock";
     case JudgeId::Ending:
       return "a flight that does not end in time, ends under water, or without the exit of the "
              "mission "

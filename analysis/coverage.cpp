@@ -153,10 +153,8 @@ std::string coverageLine(const Coverage& coverage, const compiler::Checked& chec
         fmt::format("state{} {}", names.size() == 1 ? "" : "s", fmt::join(names, ", ")));
   }
   return parts.empty() ? ""
-                       : fmt::format(
-                             "no proof depends on any one of these, so nothing is promised about "
-                             "them: {}",
-                             fmt::join(parts, "; "));
+                       : fmt::format("each proof would hold without any one of these: {}",
+                                     fmt::join(parts, "; "));
 }
 
 }  // namespace glider::analysis

@@ -15,6 +15,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <chrono>
 #include <memory>
 #include <utility>
 
@@ -144,6 +145,18 @@ support::Result<Verdict> flyOne(const CampaignPlan& plan, const CampaignFlight& 
   return verdict;
 }
 
+namespace {
+
+/// A flight with faults may take longer than one without, on a busy machine much longer, and on an
+/// emulated board longer still.
+void allowTime(CampaignPlan& plan, double usual_s) {
+  constexpr double kSlower = 60, kSlowerOnBoard = 1200;
+  plan.hang_s = std::max(plan.hang_s, kSlower * usual_s);
+  plan.hang_on_board_s = std::max(plan.hang_on_board_s, kSlowerOnBoard * usual_s);
+}
+
+}  // namespace
+
 support::Result<void> measureMissions(CampaignPlan& plan) {
   CampaignPlan whole = plan;  // the scenario's own faults are not usual either
   whole.scenario.faults = {};
@@ -151,10 +164,13 @@ support::Result<void> measureMissions(CampaignPlan& plan) {
     CampaignFlight flight;
     flight.mission = i;
     flight.seed = plan.scenario.seed;
+    const auto begun = std::chrono::steady_clock::now();
     const auto verdict = flyOne(whole, flight);
     if (!verdict) {
       return std::unexpected(verdict.error());
     }
+    const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begun;
+    allowTime(plan, took.count());
     plan.missions[i].times = {verdict->end_s, verdict->take_s, verdict->release_s,
                               verdict->deepest_m, verdict->hover};
     plan.missions[i].mean_W = verdict->mean_W;

@@ -150,16 +150,18 @@ void tellPeople(const CheckedFile& checked, const CheckOptions& options, std::st
     return;
   }
   text += report::budgetTable(found);
-  if (!found.ok()) {
-    text += options.report ? requirementLines(found) : "";
-    tell(verdict(checked));
-    return;
-  }
-  for (const report::Remark& remark : found.remarks) {
-    text += remark.text + "\n";
+  // What is known of a mission with a requirement that does not hold is true, and may say why.
+  if (found.ok() || options.report) {
+    for (const report::Remark& remark : found.remarks) {
+      text += remark.text + "\n";
+    }
   }
   if (options.report) {
     text += requirementLines(found);
+  }
+  if (!found.ok()) {
+    tell(verdict(checked));
+    return;
   }
   for (const report::AgainstLogs& against : found.against) {
     text +=

@@ -80,6 +80,14 @@ int statusOf(const campaign::CampaignResult& result) {
   return violated ? kMissionHasErrors : kFine;
 }
 
+/// "9 of " where a flight that hangs has ended the campaign.
+std::string notFlown(const campaign::CampaignPlan& plan, std::ptrdiff_t flown) {
+  const campaign::FlightRange range = campaign::rangeOf(plan);
+  return static_cast<uint64_t>(flown) < range.end - range.begin
+             ? fmt::format("a flight hangs, so others were not flown: {} of ", flown)
+             : "";
+}
+
 /// Prints the result; sorts the file of flights by their numbers.
 int tellResult(const campaign::CampaignPlan& plan, const campaign::CampaignOptions& options,
                const campaign::CampaignResult& result, const std::string& identity, double took_s,
@@ -90,7 +98,8 @@ int tellResult(const campaign::CampaignPlan& plan, const campaign::CampaignOptio
   const auto flown = std::ranges::count_if(result.verdicts,
                                            [](const auto& verdict) { return verdict.has_value(); });
   const std::string file = fileOf(options);
-  std::string last = fmt::format("{}, seed {}, {:.1f} s\n", flightsText(plan), plan.seed, took_s);
+  std::string last = fmt::format("{}{}, seed {}, {:.1f} s\n", notFlown(plan, flown),
+                                 flightsText(plan), plan.seed, took_s);
   if (result.interrupted) {
     last = fmt::format("interrupted after {} of {}, seed {}{}\n", flown,
                        support::counted(plan.flights, "flight"), plan.seed,

@@ -126,8 +126,10 @@ std::string turnsLine(const std::vector<StateBound>& states, const ir::Mission& 
   }
   return names.empty()
              ? ""
-             : fmt::format("the vehicle may turn so often in {} that its pump hardly rests",
-                           fmt::join(names, ", "));
+             : fmt::format(
+                   "the pump may hardly rest in {}: turns that follow one another closely, or "
+                   "a hover in a swell",
+                   fmt::join(names, ", "));
 }
 
 /// The states that take the most by following one another.

@@ -11,6 +11,7 @@
 #include "ir/prove/context/sensors_read.h"
 #include "ir/prove/evidence/configurations.h"
 #include "ir/prove/requirements/advice.h"
+#include "ir/verify/value_text.h"
 
 #include <fmt/format.h>
 
@@ -143,6 +144,16 @@ void noteFences(support::DiagnosticBuilder& warning, const Requirement& requirem
   }
 }
 
+/// How a variable that is counted on and on stays in a range, as the mission would write it.
+std::string limitFor(const Variable& variable) {
+  if (variable.type.dimension == support::dimension::angle) {
+    return "such as `in 0 deg .. 360 deg`, and keep it there with `remainder(…, 360 deg)`";
+  }
+  const auto text = [&](double value) { return withUnit(value, variable.type); };
+  return fmt::format("such as `in {} .. {}`, and keep it there with `min` or `clamp`", text(0),
+                     text(100));
+}
+
 void noteUnlimitedCounts(support::DiagnosticBuilder& warning, const ProofContext& proof_context) {
   constexpr size_t kMostNotes = 3;
   const Mission& m = proof_context.mission;
@@ -151,8 +162,8 @@ void noteUnlimitedCounts(support::DiagnosticBuilder& warning, const ProofContext
     warning.note(
         m[counts[i]].range,
         fmt::format("`{}` is counted without a limit, and few proofs succeed then: give it "
-                    "a range such as `in 0 .. 100`, and keep it there with `min` or `clamp`",
-                    m[counts[i]].name));
+                    "a range {}",
+                    m[counts[i]].name, limitFor(m[counts[i]])));
   }
 }
 

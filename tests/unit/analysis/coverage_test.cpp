@@ -12,8 +12,7 @@
 namespace glider::analysis {
 namespace {
 
-const std::string kAlone =
-    "no proof depends on any one of these, so nothing is promised about them: ";
+const std::string kAlone = "each proof would hold without any one of these: ";
 
 /// What `check --report` says of a mission.
 std::string lineOf(const std::string& text) {

@@ -115,6 +115,21 @@ TEST_F(Hang, BehindAnEmulatorTakesLonger) {
   EXPECT_TRUE(result.verdicts[3]);
 }
 
+/// On a slow machine, or of a mission of days.
+TEST(HangOfAPlan, IsLaterWhereAFlightTakesLong) {
+  CampaignPlan plan = testing::smallPlan(4);
+  plan.scenario.duration_s = 20;
+  plan.missions[0].new_flight = [usual = plan.missions[0].new_flight] {
+    return [start = usual()]() -> support::Result<std::unique_ptr<simulator::SbcPort>> {
+      std::this_thread::sleep_for(milliseconds(1100));
+      return start();
+    };
+  };
+  ASSERT_TRUE(measureMissions(plan));
+  EXPECT_GE(plan.hang_s, 66);
+  EXPECT_GE(plan.hang_on_board_s, 1320);
+}
+
 TEST(HangOfAPlan, IsAMinuteOrTenBehindAnEmulator) {
   EXPECT_EQ(CampaignPlan().hang_s, 60);
   EXPECT_EQ(CampaignPlan().hang_on_board_s, 600);

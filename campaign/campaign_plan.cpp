@@ -67,12 +67,21 @@ simulator::StartSbc startOf(const CampaignMission& mission, const CampaignFlight
              : flown;
 }
 
+/// Whether each fault is of a sensor that the mission reads and no clock.
+bool areOfReadings(const std::vector<simulator::SensorFault>& faults, const ir::Mission& mission) {
+  return std::ranges::all_of(faults, [&](const simulator::SensorFault& fault) {
+    const auto read = std::ranges::find(mission.sensors, fault.name, &ir::Sensor::vehicle_name);
+    return read != mission.sensors.end() && read->type.dimension != support::dimension::time;
+  });
+}
+
 /// An SBC that has slept acts in time, unless something else than the water and the sensors keeps
-/// it from that.
+/// it from that. Control that is taken away tells that ticks did not reach it, or that their times
+/// were wrong.
 void judgeNaps(const flights::NapWatch& watch, std::span<const FaultKind> kinds,
                const platforms::Platform& platform, Verdict& verdict) {
   const double most_s = ir::kNapLag_s + platform.envelope.cycle_s;
-  if (!watch.latest() || watch.latest()->late_s <= most_s ||
+  if (!watch.latest() || watch.latest()->late_s <= most_s || verdict.releases > 0 ||
       !std::ranges::all_of(kinds, simulator::leavesTheSbc)) {
     return;
   }
@@ -122,6 +131,7 @@ support::Result<Verdict> flyOne(const CampaignPlan& plan, const CampaignFlight& 
   }
   std::vector<FaultKind> kinds = simulator::kindsOf(plan.scenario.faults);
   kinds.insert(kinds.end(), drawn.kinds.begin(), drawn.kinds.end());
+  const std::vector<simulator::SensorFault> sensor_faults = setup.scenario.faults.sensors;
   StoppableJudge judge(vehicles::vehicleOf(mission.platform)
                            ->make_judge({mission.platform, setup.scenario, kinds, mission.mean_W}),
                        stop);
@@ -131,7 +141,8 @@ support::Result<Verdict> flyOne(const CampaignPlan& plan, const CampaignFlight& 
     return std::unexpected(flown.error());
   }
   Verdict verdict = judge.verdict();
-  if (watch && mission.compiled->mission.nap_s) {
+  const bool naps = watch && mission.compiled->mission.nap_s;
+  if (naps && areOfReadings(sensor_faults, mission.compiled->mission)) {
     judgeNaps(watch->naps(), kinds, mission.platform, verdict);
   }
   if (watch) {

@@ -19,7 +19,7 @@ RequirementWatch::RequirementWatch(const compiler::Optimised& mission)
 
 bool RequirementWatch::canWatch(const compiler::Optimised& mission) {
   const ir::Mission& m = mission.checked->mission();
-  return !needsCodeInC(m) && !(m.requirements.empty() && m.assumptions.empty());
+  return !needsCodeInC(m) && (!m.requirements.empty() || !m.assumptions.empty() || m.nap_s);
 }
 
 InProcessSbc::Watcher RequirementWatch::watcher(const std::vector<double>& parameters,

@@ -66,7 +66,8 @@ class RequirementWatch {
   /// `mission` is what flies; it must outlive this.
   explicit RequirementWatch(const compiler::Optimised& mission);
 
-  /// Whether the interpreter can repeat the mission (no C), and a flight can violate it.
+  /// Whether the interpreter can repeat the mission (no C), and a flight can violate it, or its SBC
+  /// may sleep.
   [[nodiscard]] static bool canWatch(const compiler::Optimised& mission);
 
   /// What the SBC calls after each poll; to be asked for each time that it starts. `kept`: the

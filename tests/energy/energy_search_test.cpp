@@ -3,7 +3,7 @@
 
 // No mission that is bred to take much takes more than energyBoundOf says. Those of random missions
 // that come near their bounds are changed and flown again: so it finds what thousands of random
-// missions do not. Half of them fly on a vehicle that uses its energy for the pump alone: there no
+// missions do not. Most of them fly on a vehicle that uses its energy for the pump alone: there no
 // slack of what other devices take hides a rule that counts too few strokes.
 // scripts/soak/energy_search breeds for hours.
 
@@ -45,6 +45,7 @@ struct Eater {
   platforms::Platform platform;
   platforms::BoardPower board;
   simulator::Scenario sea;
+  bool naps = false;  ///< its SBC sleeps where it may
 };
 
 /// The best of each eater and power, by whole W.
@@ -87,6 +88,23 @@ Eater pumpEater() {
   return {"pump", std::move(platform), board, std::move(sea)};
 }
 
+/// The same, with an SBC that sleeps: its commands may come later.
+Eater nappingEater() {
+  Eater eater = pumpEater();
+  eater.name = "naps";
+  eater.naps = true;
+  return eater;
+}
+
+/// The mission as it flies with this eater.
+std::string textFor(const Eater& eater, const HungryMission& mission) {
+  std::string text = textOf(mission);
+  if (eater.naps) {
+    text.insert(text.find('\n') + 1, "nap at most 4 min\n");
+  }
+  return text;
+}
+
 /// Missions of one seed. The dangerous ones come first.
 class Strain {
  public:
@@ -99,8 +117,8 @@ class Strain {
       one.mission = mutated(std::move(one.mission), dice_);
     }
     const std::string name = fmt::format("hungry {}", known_.size());
-    const FlyingMission mission = *loadMission(name, textOf(one.mission));
     const Eater& eater = eaters_.at(known_.size() % eaters_.size());
+    const FlyingMission mission = *loadMission(name, textFor(eater, one.mission));
     if (const auto bound = boundOfEnergy(mission, eater.platform, eater.board)) {
       one.eater = eater.name;
       one.flown = flyForEnergy(mission, *bound, eater.sea, known_.size());
@@ -137,7 +155,7 @@ class Strain {
   }
 
   Rng dice_;
-  std::array<Eater, 2> eaters_ = {pumpEater(), usualEater()};
+  std::array<Eater, 3> eaters_ = {pumpEater(), usualEater(), nappingEater()};
   std::set<std::string> known_;
   Best best_;
 };

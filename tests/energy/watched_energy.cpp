@@ -8,6 +8,7 @@
 #include "hooks/hookbeh/hookbeh.h"
 #include "hooks/protocol/values.h"
 #include "ir/eval/interpreter.h"
+#include "ir/worlds/naps.h"
 #include "platforms/load/power.h"
 #include "simulator/scenario/scenario.h"
 #include "simulator/simulator.h"
@@ -87,7 +88,9 @@ const platforms::BoardPower& usualBoardPower() {
 std::optional<EnergyBound> boundOfEnergy(const FlyingMission& mission,
                                          const platforms::Platform& platform,
                                          const platforms::BoardPower& board) {
-  return ir::prove::energyBoundOf(mission.flown->checked->mission(), platform, board,
+  platforms::Platform vehicle = platform;
+  ir::allowForNaps(mission.flown->mission, vehicle.world);
+  return ir::prove::energyBoundOf(mission.flown->checked->mission(), vehicle, board,
                                   ir::prove::Parameters::AsWritten);
 }
 

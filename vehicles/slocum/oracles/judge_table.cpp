@@ -90,8 +90,8 @@ std::string allowedBy(JudgeId judge) {
           kAtSurfaceSecs, kLongSecs / 3600, 100 * kSurfaceShare, kTakesHoldSecs, kRightSecs / 60);
     case JudgeId::Naps:
       return "an SBC that sleeps and changes its command, or the mission's state, more than 19 s "
-             "after "
-             "the tick that decides it, unless a fault is of the line, a computer or a clock";
+             "after the tick that decides it, unless a fault is of the line, a computer or a "
+             "sensor that the mission does not read, or control was taken away";
     case JudgeId::Ending:
       return "a flight that does not end in time, ends under water, or without the exit of the "
              "mission "

@@ -6,7 +6,6 @@
 #include "campaign/seeds.h"
 #include "campaign/stoppable_judge.h"
 #include "flights/shadowed_sbc.h"
-#include "ir/worlds/naps.h"
 #include "simulator/campaign/kinds_of_faults.h"
 #include "simulator/campaign/promises.h"
 #include "simulator/family/family.h"
@@ -67,29 +66,18 @@ simulator::StartSbc startOf(const CampaignMission& mission, const CampaignFlight
              : flown;
 }
 
-/// Whether each fault is of a sensor that the mission reads and no clock.
-bool areOfReadings(const std::vector<simulator::SensorFault>& faults, const ir::Mission& mission) {
-  return std::ranges::all_of(faults, [&](const simulator::SensorFault& fault) {
-    const auto read = std::ranges::find(mission.sensors, fault.name, &ir::Sensor::vehicle_name);
-    return read != mission.sensors.end() && read->type.dimension != support::dimension::time;
-  });
-}
-
 /// An SBC that has slept acts in time, unless something else than the water and the sensors keeps
 /// it from that. Control that is taken away tells that ticks did not reach it, or that their times
 /// were wrong.
-void judgeNaps(const flights::NapWatch& watch, std::span<const FaultKind> kinds,
-               const platforms::Platform& platform, Verdict& verdict) {
-  const double most_s = ir::kNapLag_s + platform.envelope.cycle_s;
-  if (!watch.latest() || watch.latest()->late_s <= most_s || verdict.releases > 0 ||
-      !std::ranges::all_of(kinds, simulator::leavesTheSbc)) {
+void judgeNaps(const std::optional<flights::LateTick>& late, std::span<const FaultKind> kinds,
+               Verdict& verdict) {
+  if (!late || verdict.releases > 0 || !std::ranges::all_of(kinds, simulator::leavesTheSbc)) {
     return;
   }
-  const flights::LateTick& late = *watch.latest();
   simulator::Violation found{
-      simulator::JudgeId::Naps, late.vehicle_time,
-      fmt::format("the SBC acted {:.0f} s after the tick that made it act", late.late_s)};
-  if (verdict.outcome != Verdict::Outcome::Violation || late.vehicle_time < verdict.violation_s) {
+      simulator::JudgeId::Naps, late->vehicle_time,
+      fmt::format("the SBC acted {:.0f} s after the tick that made it act", late->late_s)};
+  if (verdict.outcome != Verdict::Outcome::Violation || late->vehicle_time < verdict.violation_s) {
     verdict.outcome = Verdict::Outcome::Violation;
     verdict.violation = found.what;
     verdict.violation_s = found.at_s;
@@ -141,9 +129,8 @@ support::Result<Verdict> flyOne(const CampaignPlan& plan, const CampaignFlight& 
     return std::unexpected(flown.error());
   }
   Verdict verdict = judge.verdict();
-  const bool naps = watch && mission.compiled->mission.nap_s;
-  if (naps && areOfReadings(sensor_faults, mission.compiled->mission)) {
-    judgeNaps(watch->naps(), kinds, mission.platform, verdict);
+  if (watch) {
+    judgeNaps(flights::tooLate(watch->naps(), *mission.compiled, sensor_faults), kinds, verdict);
   }
   if (watch) {
     for (const flights::FlownViolation& violation : watch->violations(*flown)) {

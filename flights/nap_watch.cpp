@@ -3,6 +3,8 @@
 
 #include "flights/nap_watch.h"
 
+#include "ir/worlds/naps.h"
+
 #include <algorithm>
 #include <bit>
 
@@ -29,6 +31,18 @@ void NapWatch::look(const GliderContext& context, double now_s) {
   if (changed && late_s > (latest_ ? latest_->late_s : -1)) {
     latest_ = LateTick{now_s, late_s};
   }
+}
+
+std::optional<LateTick> tooLate(const NapWatch& watch, const compiler::Optimised& mission,
+                                std::span<const simulator::SensorFault> faults) {
+  const std::vector<ir::Sensor>& sensors = mission.mission.sensors;
+  const auto isOfReading = [&](const simulator::SensorFault& fault) {
+    const auto read = std::ranges::find(sensors, fault.name, &ir::Sensor::vehicle_name);
+    return read != sensors.end() && read->type.dimension != support::dimension::time;
+  };
+  const double most_s = ir::kNapLag_s + mission.platform().envelope.cycle_s;
+  const bool late = mission.mission.nap_s && watch.latest() && watch.latest()->late_s > most_s;
+  return late && std::ranges::all_of(faults, isOfReading) ? watch.latest() : std::nullopt;
 }
 
 }  // namespace glider::flights

@@ -3,11 +3,14 @@
 
 #pragma once
 
+#include "compiler/compilation.h"
 #include "runtime/abi/glider_abi.h"
+#include "simulator/faults/faults.h"
 
 #include <array>
 #include <cstdint>
 #include <optional>
+#include <span>
 
 namespace glider::flights {
 
@@ -36,5 +39,10 @@ class NapWatch {
   double mission_time_ = 0;
   std::optional<LateTick> latest_;
 };
+
+/// What the SBC of `mission` did too late after a sleep. None: nothing, or `faults` has one of a
+/// sensor that the mission does not read, or of a clock: then it is not known.
+std::optional<LateTick> tooLate(const NapWatch& watch, const compiler::Optimised& mission,
+                                std::span<const simulator::SensorFault> faults);
 
 }  // namespace glider::flights

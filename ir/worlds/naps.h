@@ -12,9 +12,9 @@ namespace glider::ir {
 /// How much later than at once an SBC acts that has slept, s.
 inline constexpr double kNapLag_s = kHookMostWakeSecs + kHookReplaySecs;
 
-/// How far before a depth that it dives or climbs to a vehicle wakes a sleeping SBC, m: whatever the
-/// water does, the SBC then reads its line when the vehicle is there. Two readings may be as far
-/// apart as two ticks may be, and each may be wrong.
+/// How far before a depth that it dives or climbs to a vehicle wakes a sleeping SBC, m: so
+/// early that in any water the SBC reads its line when the vehicle is there. Two readings may be as
+/// far apart as two ticks may be, and each may be wrong.
 double napAhead_m(const platforms::Platform& platform);
 
 /// Gives the vehicle the delay with which it obeys a mission that lets the SBC sleep. Each tick of

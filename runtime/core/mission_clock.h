@@ -62,8 +62,8 @@ class MissionClock {
 
   /// No frame has arrived: mission time by the SBC's own clock. A jump of that clock adds at most
   /// kMostSilence since it was last read, so that the vehicle's frames, when they resume, need no
-  /// longer than that to catch up. The same after a sleep, of which the vehicle has kept the frames:
-  /// its time counts only if the vehicle's own does not.
+  /// longer than that to catch up. The same after a sleep, of which the vehicle has kept the
+  /// frames: its time counts only if the vehicle's own does not.
   double withoutFrame(double sbc_time) {
     const double passed = passedHere(sbc_time);
     silence_ += earlier(passed, kMostSilence);

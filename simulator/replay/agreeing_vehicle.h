@@ -42,7 +42,7 @@ class AgreeingVehicle {
   [[nodiscard]] bool finished() const;
 
  private:
-  /// Whatever a mission may need of a vehicle. It allows no naps: x_hook_nap_secs is not known.
+  /// All that a mission may need of a vehicle. It allows no naps: x_hook_nap_secs is not known.
   static constexpr uint16_t kEverything = hooks::kFeatureFixedFin | hooks::kFeatureActuators |
                                           hooks::kFeatureSampling | hooks::kFeatureNaps;
 

@@ -104,7 +104,7 @@ end
   EXPECT_THAT(all, testing::Not(testing::ContainsRegex("stack +no bound is known")));
 }
 
-/// Why a requirement does not hold may stand in what is known otherwise.
+/// What is known otherwise may say why a requirement does not hold.
 TEST(CheckReport, SaysWhatIsKnownOfAMissionThatViolatesARequirement) {
   const TemporaryFolder folder;
   (void)folder.write("m.mission", R"(mission m

@@ -37,7 +37,7 @@ TEST(Campaign, EveryKindOfFaultEndsAsStated) {
   EXPECT_THAT(rows, HasSubstr(",released,"));
 }
 
-/// What few missions use is judged as what all use: instruments, and an SBC that sleeps.
+/// What few missions use is checked as what all use: instruments, and an SBC that sleeps.
 TEST(Campaign, MissionsThatSampleAndThatSleepKeepEveryPromise) {
   const TemporaryFolder folder;
   const std::string samples = folder.write("samples.mission", R"(mission samples

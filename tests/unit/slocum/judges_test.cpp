@@ -155,7 +155,7 @@ TEST(Judges, SeeEachPlantedLossAndOnlyOneOfThemDoes) {
 TEST(Judges, HaveAPlantedLossEach) {
   for (uint32_t i = 0; i < kJudges; ++i) {
     if (static_cast<JudgeId>(i) == JudgeId::Naps) {
-      continue;  // judged on the SBC: nap_watch_test.cpp
+      continue;  // checked on the SBC: nap_watch_test.cpp
     }
     EXPECT_EQ(std::ranges::count(losses(), static_cast<JudgeId>(i), &Loss::judge), 1)
         << nameOf(static_cast<JudgeId>(i));

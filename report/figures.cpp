@@ -322,6 +322,7 @@ namespace {
 /// From each time that the SBC sleeps until it is woken.
 void measureSleep(const Trace& trace, FlightFigures& figures) {
   double since_s = kNoFigure;
+  figures.sleep_saves = !trace.battery || trace.battery->sleep_saves;
   for (const support::TraceEvent& event : trace.events) {
     if (event.id == support::EventId::SbcSleeps) {
       since_s = event.time_s;

@@ -59,6 +59,7 @@ struct FlightFigures {
       0;  ///< time in which the SBC was in control without a state: a mission written in C
   size_t sleeps = 0;                     ///< of the SBC
   double asleep_s = 0;                   ///< in them
+  bool sleep_saves = true;               ///< BatteryFacts::sleep_saves
   std::map<std::string, size_t> events;  ///< count by kind
 };
 

@@ -113,6 +113,8 @@ std::string consumersText(const EnergyFigures& energy) {
   return text;
 }
 
+constexpr std::string_view kSavesNothing = "; it saves nothing: no lower `asleep_W` is given";
+
 std::string figureLines(const FlightFigures& figures) {
   std::string out;
   const auto line = [&out](std::string_view label, const std::string& value) {
@@ -146,9 +148,10 @@ std::string figureLines(const FlightFigures& figures) {
     line("  bound", boundText(figures.energy));
   }
   if (figures.sleeps > 0) {
-    line("SBC asleep", fmt::format("{} of the flight, {} time{}",
-                                   percentText(figures.asleep_s / figures.duration_s),
-                                   figures.sleeps, figures.sleeps == 1 ? "" : "s"));
+    line("SBC asleep",
+         fmt::format("{} of the flight, {} time{}{}",
+                     percentText(figures.asleep_s / figures.duration_s), figures.sleeps,
+                     figures.sleeps == 1 ? "" : "s", figures.sleep_saves ? "" : kSavesNothing));
   }
   if (std::isfinite(figures.warmest_degC)) {
     line("temperature",

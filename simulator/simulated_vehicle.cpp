@@ -137,7 +137,9 @@ SimulatedVehicle::SimulatedVehicle(SimulationSetup setup, const World& world, ui
   }
   start_J_ = vehicle_.battery().usedJ();
   trace_.battery = {(start_J_ + vehicle_.battery().leftJ()) / kJoulesPerWattHour,
-                    start_J_ / kJoulesPerWattHour};
+                    start_J_ / kJoulesPerWattHour,
+                    {},
+                    vehicle_.sleepSaves()};
   trace_.start_utc_s = seat_->clockAtStart();
 }
 

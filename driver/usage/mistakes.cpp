@@ -84,11 +84,22 @@ std::string nearestOption(const CLI::App& command, const std::string& word) {
   return found == bare.end() ? "" : names[static_cast<size_t>(found - bare.begin())];
 }
 
+/// Whether `word` gives the vehicle's mission file to a command that takes it from a scenario.
+bool isScenariosSkeleton(const CLI::App& command, std::string_view word) {
+  return (word == "--mi" || word == "--skeleton") &&
+         command.get_option_no_throw("--scenario") != nullptr;
+}
+
 /// Of the first word that no option and no argument took.
 Complaint unexpected(const CLI::App& command, const std::string& given) {
   const std::string word = given.substr(0, given.find('='));
   if (!word.starts_with('-')) {
     return {fmt::format("`{}` takes no argument `{}`", nameOf(command), given), helpHint(command)};
+  }
+  if (isScenariosSkeleton(command, word)) {
+    return {fmt::format("`{}` has no option `{}`", nameOf(command), word),
+            "the scenario names the vehicle's mission file: copy one of `scenarios/`, set "
+            "`skeleton = \"my.mi\"` in it, and give the copy with `--scenario`"};
   }
   const std::string near = nearestOption(command, word);
   return {fmt::format("`{}` has no option `{}`{}", nameOf(command), word,

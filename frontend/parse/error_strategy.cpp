@@ -11,6 +11,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <initializer_list>
 #include <string>
 
 namespace glider::frontend {
@@ -90,6 +92,10 @@ std::string listOf(const antlr4::misc::IntervalSet& set) {
     out += (i == 0 ? "" : i + 1 == words.size() ? " or " : ", ") + words[i];
   }
   return out;
+}
+
+bool oneOfWords(std::string_view word, std::initializer_list<std::string_view> words) {
+  return std::ranges::find(words, word) != words.end();
 }
 
 /// What is between the quotation marks, typewritten or typeset; empty if the second is missing.
@@ -247,7 +253,9 @@ void ErrorStrategy::complainOfTransition(const Lexeme& before, const Lexeme& fou
       report.hint(fmt::format("did you mean `{}`?", meant));
     } else if (isStateName(reporter_.source(), word)) {
       report.hint(fmt::format("write `goto {0}` or `call {0}`", word));
-    } else if (word == "surface" || word == "surfaced") {
+    } else if (oneOfWords(word, {"stop", "finish", "quit", "terminate", "abort"})) {
+      report.hint("write `exit`, which ends the mission");
+    } else if (oneOfWords(word, {"surface", "surfaced"})) {
       report.hint("write `goto` and a state with `flightprofile surfaced`");
     }
   } else {

@@ -43,6 +43,21 @@ std::string withUnit(double value, Type type) {
   return fmt::format("{:.6g}{}{}", shown(value, type), unit.empty() ? "" : " ", unit);
 }
 
+std::string withCountedUnit(double value, Type type, std::string_view unit) {
+  const auto counted = support::findUnit(unit);
+  const bool number = type.kind == TypeKind::Quantity && type.dimension.dimensionless();
+  return number && counted && counted->dimension.dimensionless()
+             ? fmt::format("{:.6g} {}", value / counted->to_si, unit)
+             : withUnit(value, type);
+}
+
+std::string withUnit(double value, const Variable& variable) {
+  if (variable.type.kind == TypeKind::Bool) {
+    return value != 0 ? "true" : "false";
+  }
+  return withCountedUnit(value, variable.type, variable.unit);
+}
+
 std::string withUnitExactly(double value, Type type) {
   constexpr int kMostDigits = 15;  // that a launch accepts
   if (type.kind == TypeKind::Latitude || type.kind == TypeKind::Longitude) {

@@ -39,6 +39,7 @@ class Loads {
   void order(uint32_t sampling);
   /// Draws from `battery` what all devices take in a step.
   void draw(Battery& battery, const Doings& doings) const;
+  [[nodiscard]] bool sleepSaves() const { return sbc_asleep_W_ < sbc_W_; }
 
  private:
   struct Row {

@@ -38,6 +38,8 @@ class Vehicle {
   void commandPropeller(double rpm) { command_.rpm = rpm; }
   void commandSternPlane(double rad) { command_.stern_plane_rad = rad; }
   /// Sets whether the SBC draws its power.
+  /// Whether the SBC takes less while it sleeps.
+  [[nodiscard]] bool sleepSaves() const { return loads_.sleepSaves(); }
   void feedSbc(bool powered, bool asleep = false) {
     sbc_powered_ = powered;
     sbc_asleep_ = asleep;

@@ -67,6 +67,8 @@ struct BatteryFacts {
   /// What each device took in the flight, in the order of the power table; only those that took
   /// some.
   std::vector<Consumer> consumers = {};
+  /// Whether the SBC takes less while it sleeps than while it does not.
+  bool sleep_saves = true;
 };
 
 /// What the acoustic modem of a vehicle did in its flight.

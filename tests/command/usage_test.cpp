@@ -48,6 +48,10 @@ TEST(Usage, AMisspeltOptionIsNamedWithTheNearest) {
   EXPECT_THAT(runShell("$GLIDERCC graph --deepst").err, HasSubstr("did you mean `--deepest`?"));
   EXPECT_THAT(runShell("$GLIDERCC graph x --qqqqq").err,
               HasSubstr("`glidercc graph` has no option `--qqqqq`\n"));
+  EXPECT_THAT(runShell("$GLIDERCC campaign --mi my.mi " + kTwoStates).err,
+              HasSubstr("`glidercc campaign` has no option `--mi`\n  hint: the scenario names the "
+                        "vehicle's mission file: copy one of `scenarios/`, set `skeleton = "
+                        "\"my.mi\"` in it, and give the copy with `--scenario`\n"));
   EXPECT_THAT(runShell("$GLIDERCC build a b").err,
               HasSubstr("`glidercc build` takes no argument `b`"));
 }

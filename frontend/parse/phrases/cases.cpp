@@ -18,7 +18,7 @@ namespace {
 struct Condition {
   size_t tokens = 0;  ///< 0: there is no condition
   size_t then = 0;    ///< a `then` after it: its number
-  size_t arrow = 0;   ///< the tokens of an arrow after it
+  size_t arrow = 0;   ///< the tokens of an arrow or a colon after it
   size_t transition = 0;
 };
 
@@ -27,9 +27,10 @@ bool isWord(const Phrase& phrase, size_t k, std::string_view keyword) {
                                                                     : false;
 }
 
-/// The tokens of an arrow at `k` that leads to a transition: elsewhere `=>` is a comparison.
+/// The tokens of an arrow or a colon at `k` that leads to a transition: elsewhere `=>` is a
+/// comparison.
 size_t tokensOfLeadingArrow(const Phrase& phrase, size_t k) {
-  const size_t tokens = tokensOfArrow(phrase, k);
+  const size_t tokens = phrase.type(k) == GliderLexer::COLON ? 1 : tokensOfArrow(phrase, k);
   const uint32_t next = phrase.type(k + tokens);
   return isTransition(next) || next == GliderLexer::DO ? tokens : 0;
 }

@@ -211,6 +211,50 @@ size_t range(Phrase& phrase) {
   return first + 1 + second;
 }
 
+size_t rangeInBrackets(Phrase& phrase) {
+  const bool list = phrase.before() == GliderLexer::IN && phrase.before(2) != GliderLexer::FOR &&
+                    !phrase.readsValues();
+  const uint32_t closing =
+      phrase.type() == GliderLexer::LBRACKET ? GliderLexer::RBRACKET : GliderLexer::RPAREN;
+  const size_t first = list ? tokensOfQuantity(phrase, 1) : 0;
+  const size_t comma = 1 + first;
+  const size_t second =
+      first > 0 && oneOf(phrase.type(comma), {GliderLexer::COMMA, GliderLexer::RANGE})
+          ? tokensOfQuantity(phrase, comma + 1)
+          : 0;
+  const size_t count = comma + second + 2;
+  if (second == 0 || phrase.type(count - 1) != closing) {
+    return 0;
+  }
+  const Lexeme whole = phrase.whole(0, count);
+  const std::string better =
+      fmt::format("{} .. {}", phrase.wholeText(1, first), phrase.wholeText(comma + 1, second));
+  phrase.reporter()
+      .at(whole, support::diagnostics::notARange, phrase.source().text(whole), better)
+      .fix(phrase.source().range(whole), better);
+  for (size_t k = 1; k < count - 1; ++k) {
+    const Lexeme& token = phrase.token(k);
+    phrase.put(k == comma ? Lexeme{GliderLexer::RANGE, token.begin, token.end} : token);
+  }
+  return count;
+}
+
+size_t sizeOfConstant(Phrase& phrase) {
+  const size_t size = phrase.before(1) == GliderLexer::CONST && isAnyName(phrase.before())
+                          ? tokensOfSize(phrase, 0)
+                          : 0;
+  if (size == 0) {
+    return 0;
+  }
+  const std::string_view name = phrase.source().text(*phrase.lexemeBefore());
+  // No fix: with another number of elements, the list may be what is wrong.
+  phrase.reporter()
+      .at(phrase.whole(0, size), support::diagnostics::superfluousWord, phrase.wholeText(0, size),
+          fmt::format("after `const {}`", name))
+      .hint(fmt::format("write `const {} = [ … ]`: the list of a constant has no size", name));
+  return size;
+}
+
 namespace {
 
 /// `yo 5 m 50 m`: how many numbers with their units the next `count` tokens are; 0: something else
@@ -391,14 +435,28 @@ size_t place(Phrase& phrase) {
   return firstOf(phrase, {placeOfSeveralWords, placeWithType, placeWithoutSign});
 }
 
+namespace {
+
+/// What stands between `declination` or `resume` and the number: `=`, or `in` of a time.
+size_t tokensBeforeNumber(const Phrase& phrase, bool resume) {
+  if (oneOf(phrase.type(1), {GliderLexer::ASSIGN, GliderLexer::COLON})) {
+    return 1;
+  }
+  return resume ? tokensOfOne(phrase, 1, {"in", "at most"}) : 0;
+}
+
+}  // namespace
+
 size_t signOfItem(Phrase& phrase) {
   const bool resume = phrase.type() == GliderLexer::RESUME;
   const bool top = endsValue(phrase.before()) || phrase.before() == GliderLexer::END ||
                    phrase.before() == GliderLexer::STRING || phrase.before() == 0;
-  const bool sign = oneOf(phrase.type(1), {GliderLexer::ASSIGN, GliderLexer::COLON});
-  const size_t number = tokensOfNumber(phrase, 2);
+  const size_t sign = tokensBeforeNumber(phrase, resume);
+  const size_t first = 1 + sign;
+  const size_t number = tokensOfQuantity(phrase, first);
   // Inside a block it may be a variable of this name.
-  if (!top || !sign || number == 0 || !phrase.startsLine() || !phrase.startsLine(2 + number) ||
+  if (!top || (sign == 0 && !resume) || number == 0 || !phrase.startsLine() ||
+      !phrase.startsLine(first + number) ||
       oneOf(phrase.keyword(), {GliderLexer::DO, GliderLexer::THEN, GliderLexer::ELSE,
                                GliderLexer::SET, GliderLexer::LOG})) {
     return 0;
@@ -409,13 +467,13 @@ size_t signOfItem(Phrase& phrase) {
   phrase.reporter()
       .at(found, support::diagnostics::unexpectedToken, resume ? "`within`" : "an angle",
           describe(phrase.source(), found))
-      .hint(fmt::format("write `{}{}{}`", phrase.text(), between, phrase.wholeText(2, number)))
-      .fix({phrase.source().file, word.end, phrase.token(2).begin}, std::string(between));
+      .hint(fmt::format("write `{}{}{}`", phrase.text(), between, phrase.wholeText(first, number)))
+      .fix({phrase.source().file, word.end, phrase.token(first).begin}, std::string(between));
   phrase.put(word);
   if (resume) {
-    phrase.put({GliderLexer::WITHIN, found.begin, found.end});
+    phrase.insert(GliderLexer::WITHIN);
   }
-  return 2;
+  return first;
 }
 
 size_t importWithoutQuotes(Phrase& phrase) {

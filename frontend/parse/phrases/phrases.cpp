@@ -54,6 +54,7 @@ constexpr Row kRows[] = {
                     {GliderLexer::EVERY, GliderLexer::IF, GliderLexer::ALWAYS, GliderLexer::NUMBER,
                      GliderLexer::AND_WORD, GliderLexer::NOT_WORD, GliderLexer::FOREIGN});
      }},
+    {phrases::declinationWithLetter, among<GliderLexer::NUMBER>},
     {phrases::writtenPosition, among<GliderLexer::NUMBER, GliderLexer::COMPASS, GliderLexer::NAME>},
     {phrases::promiseWithoutRequire, isName},
     {phrases::comment, among<GliderLexer::MINUS, GliderLexer::UNIT, GliderLexer::SEMICOLON,
@@ -74,6 +75,10 @@ constexpr Row kRows[] = {
                            GliderLexer::COMMA, GliderLexer::STAY});
      }},
     {phrases::stateWordInPromise, among<GliderLexer::STATE>},
+    {phrases::placesWithoutComma,
+     among<GliderLexer::NAME, GliderLexer::UNIT, GliderLexer::COMPASS, GliderLexer::MIN>},
+    {phrases::promiseAfterAnd,
+     among<GliderLexer::AND_WORD, GliderLexer::AND, GliderLexer::ONE_AMPERSAND>},
     {phrases::andOfPlaces,
      among<GliderLexer::AND_WORD, GliderLexer::AND, GliderLexer::ONE_AMPERSAND>},
     {phrases::assumption, isName},
@@ -144,6 +149,8 @@ constexpr Row kRows[] = {
     {phrases::softUnit, plainName},
     {phrases::rangeWordAsUnit, among<GliderLexer::IN>},
     {phrases::foreignUnit, among<GliderLexer::NAME, GliderLexer::FOREIGN, GliderLexer::UNIT>},
+    {phrases::rangeInBrackets, among<GliderLexer::LBRACKET, GliderLexer::LPAREN>},
+    {phrases::sizeOfConstant, among<GliderLexer::LBRACKET>},
     {phrases::pairOfNumbers,
      among<GliderLexer::LPAREN, GliderLexer::LBRACKET, GliderLexer::NUMBER, GliderLexer::MINUS>},
     {phrases::pathWithoutBrackets, beginsPlace},

@@ -28,7 +28,7 @@ size_t afterTransition(Phrase& phrase);
 size_t blockAfterTransition(Phrase& phrase);
 /// `case statetime > 10 h end`.
 size_t endForTransition(Phrase& phrase);
-/// `declination = -12 deg`, `resume = 20 min`.
+/// `declination = -12 deg`, `resume = 20 min`, `resume 20 min`.
 size_t signOfItem(Phrase& phrase);
 /// `place low battery = …`, `place low: …`.
 size_t place(Phrase& phrase);
@@ -52,7 +52,12 @@ size_t promiseWithoutRequire(Phrase& phrase);
 size_t promise(Phrase& phrase);
 /// `require depth never > 40 m`.
 size_t promiseInside(Phrase& phrase);
-/// `require whenever low goto homeward`, `require whenever low then homeward 1 min`.
+/// `require always depth <= 60 m and exit within 2 h`: two requirements.
+size_t promiseAfterAnd(Phrase& phrase);
+/// `require visit look home within 5 h`.
+size_t placesWithoutComma(Phrase& phrase);
+/// `require visit look in 5 h`, `require whenever low goto homeward`, `require whenever low then
+/// homeward 1 min`.
 size_t reaction(Phrase& phrase);
 /// `require visit state look within 5 h`.
 size_t stateWordInPromise(Phrase& phrase);
@@ -199,6 +204,12 @@ size_t actionWithoutDo(Phrase& phrase);
 size_t untyped(Phrase& phrase);
 /// `in 3 m to 8 m`.
 size_t range(Phrase& phrase);
+/// `in [3 m, 8 m]`.
+size_t rangeInBrackets(Phrase& phrase);
+/// `const depths[3] = [20 m, 30 m, 40 m]`.
+size_t sizeOfConstant(Phrase& phrase);
+/// `declination 12 deg W`.
+size_t declinationWithLetter(Phrase& phrase);
 /// `yo 5 m, 20 m`, `yo[5 m, 20 m]`.
 size_t withoutParentheses(Phrase& phrase);
 

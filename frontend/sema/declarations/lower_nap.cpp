@@ -12,6 +12,7 @@
 
 #include <fmt/format.h>
 
+#include <cstdlib>
 #include <optional>
 #include <string>
 
@@ -49,8 +50,7 @@ class NapReader {
   /// Empty, and reported, if it is not one that the mission may have.
   std::optional<double> read() {
     if (isBare(node_.longest)) {
-      refuse("it has no unit", fmt::format("write a unit, as in `nap at most {} min`",
-                                           scope_.text(node_.longest.where)));
+      refuse("it has no unit", "write a unit, as in " + withUnit());
       return std::nullopt;
     }
     const DeclaredType time{quantity(support::dimension::time)};
@@ -61,6 +61,23 @@ class NapReader {
   }
 
  private:
+  /// The line with a unit that it can have: minutes, or seconds if that would be too long.
+  std::string withUnit() {
+    constexpr double kMinute_s = 60;
+    const std::string& digits = std::get<ast::Literal>(node_.longest.node).digits;
+    const double number = std::strtod(digits.c_str(), nullptr);
+    const bool minutes = number * kMinute_s <= kLongest_s;
+    const double seconds = minutes ? number * kMinute_s : number;
+    if (seconds < kShortest_s || seconds > kLongest_s) {
+      return fmt::format("`nap at most {}`", durationText(kLongest_s));
+    }
+    const double resume_s = seconds + kToResume_s;
+    return fmt::format("`nap at most {} {}`", digits, minutes ? "min" : "s") +
+           (resume_s > scope_.mission.resume_within_s
+                ? fmt::format(" with `resume within {}`", durationText(resume_s))
+                : "");
+  }
+
   bool isPossible(double seconds) {
     if (!(seconds >= kShortest_s)) {
       refuse(fmt::format("waking takes up to {}, so that less than {} gains nothing",

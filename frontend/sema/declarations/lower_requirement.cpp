@@ -28,6 +28,9 @@ class RequirementLowering {
 
   std::optional<ir::Requirement> run() {
     result_.range = node_.where;
+    Context context = scope_.context;
+    context.requirement = true;
+    const Scope::Within within(scope_, context);
     const bool right = std::visit([&](const auto& promise) { return lower(promise); }, node_.node);
     return right ? std::optional(result_) : std::nullopt;
   }
@@ -129,7 +132,7 @@ class RequirementLowering {
       names.push_back(known);
     }
     scope_.reportUnknown(support::diagnostics::unknownState, name.where,
-                         didYouMean(name.text, names, ""), name.text);
+                         didYouMean(name.text, names, scope_.listedStates()), name.text);
     return false;
   }
 

@@ -91,7 +91,7 @@ bool knownAtStart(ir::ExprId id, Scope& scope) {
 bool knownOnEntry(ir::ExprId id, Scope& scope) {
   const ir::Expr* found = firstOf(scope.mission, id, {ir::Op::Temporal});
   if (found != nullptr) {
-    scope.report(support::diagnostics::overTimeNowhere, found->range, scope.text(found->range));
+    scope.refuseOverTime(found->range, scope.text(found->range));
   }
   return found == nullptr;
 }

@@ -3,6 +3,7 @@
 
 #include "frontend/sema/expressions/lower_expr.h"
 #include "frontend/sema/names/functions.h"
+#include "frontend/sema/names/wished.h"
 #include "support/diagnostics/ids/meaning.h"
 
 #include <fmt/format.h>
@@ -209,6 +210,9 @@ ExprLowering::Result ExprLowering::unknown(const ast::NameUse& node,
           ? Suggestion{"`" + node.name + "` controls how the vehicle flies; it has no value", ""}
           : scope_.suggestName(node.name);
   scope_.reportUnknown(support::diagnostics::unknownName, range, hint, node.name);
+  if (hint.fix.empty() && insteadOf(node.name, scope_.platform())) {
+    scope_.refused_names.insert(node.name);  // its other uses are meant in the same way
+  }
   return std::nullopt;
 }
 

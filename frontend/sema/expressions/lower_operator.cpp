@@ -11,6 +11,9 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdlib>
+#include <optional>
+#include <string>
 
 namespace glider::frontend {
 
@@ -367,6 +370,46 @@ std::string missingUnit(const ast::Expr& number, const ast::Expr& other) {
              : "";
 }
 
+/// The value of a number with a unit; empty: it is something else.
+std::optional<double> writtenValue(const ast::Expr& expr) {
+  const auto* literal = std::get_if<ast::Literal>(&expr.node);
+  const auto unit = literal == nullptr ? std::nullopt : support::parseUnit(literal->unit);
+  return unit ? std::optional(std::strtod(literal->digits.c_str(), nullptr) * unit->to_si)
+              : std::nullopt;
+}
+
+ast::BinaryOp turnedRound(ast::BinaryOp op) {
+  using enum ast::BinaryOp;
+  return op == Less ? Greater : op == LessEqual ? GreaterEqual : op == Greater ? Less : LessEqual;
+}
+
+/// Whether no value is between the two numbers of `23 h < timeofday < 11 h`.
+bool isNeverBetween(const ast::Binary& first, const ast::Binary& second) {
+  const auto one = writtenValue(*first.left);
+  const auto other = writtenValue(*second.right);
+  if (!one || !other || !sameWay(first.op, second.op)) {
+    return false;
+  }
+  const bool rises = first.op == ast::BinaryOp::Less || first.op == ast::BinaryOp::LessEqual;
+  return rises ? *one > *other : *one < *other;
+}
+
+/// What is meant by `23 h < timeofday < 11 h`: of another value than the time of the day, the
+/// numbers may have been exchanged.
+std::string outsideOf(const ast::Binary& first, const ast::Binary& second, const Scope& scope) {
+  const std::string value = scope.text(first.right->where);
+  const std::string one = scope.text(first.left->where);
+  const std::string other = scope.text(second.right->where);
+  std::string hint =
+      fmt::format("write `{} {} {} || {} {} {}`", value, rowOf(turnedRound(first.op)).text, one,
+                  value, rowOf(second.op).text, other);
+  if (value != "timeofday") {
+    hint += fmt::format(", or `{} {} {} && {} {} {}`", other, rowOf(first.op).text, value, value,
+                        rowOf(second.op).text, one);
+  }
+  return hint;
+}
+
 }  // namespace
 
 bool ExprLowering::chained(const ast::Binary& node, const ast::Expr& expr) {
@@ -392,7 +435,9 @@ bool ExprLowering::chained(const ast::Binary& node, const ast::Expr& expr) {
                   scope_.text(node.right->where), missingUnit(*node.right, *inner->left));
   auto report = scope_.report(support::diagnostics::chainedComparison, expr.where,
                               scope_.text(expr.where), first, second);
-  if (sameWay(inner->op, node.op)) {
+  if (isNeverBetween(*inner, node)) {
+    report.hint(outsideOf(*inner, node, scope_));
+  } else if (sameWay(inner->op, node.op)) {
     // In parentheses: a `not` before it applies to the whole.
     report.fix(expr.where, "(" + first + " && " + second + ")");
   }

@@ -75,7 +75,7 @@ ExprLowering::Result ExprLowering::overTime(ir::TemporalKind kind, const ast::In
                                             const ast::Expr& expr) {
   const bool held = kind == ir::TemporalKind::Held;
   if (!scope_.context.list) {
-    scope_.report(support::diagnostics::overTimeNowhere, expr.where, node.function.text);
+    scope_.refuseOverTime(expr.where, node.function.text);
     return std::nullopt;
   }
   const size_t wanted = held ? 2 : 1;

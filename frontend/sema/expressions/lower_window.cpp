@@ -16,7 +16,7 @@ namespace glider::frontend {
 ExprLowering::Result ExprLowering::window(const ast::Invocation& node, const ast::Expr& expr) {
   const std::string& name = node.function.text;
   if (!scope_.context.list) {
-    scope_.report(support::diagnostics::overTimeNowhere, expr.where, name);
+    scope_.refuseOverTime(expr.where, name);
     return std::nullopt;
   }
   const std::string form = name + (name == "slope"            ? "(x, 10 m of depth)"
@@ -227,7 +227,7 @@ ExprLowering::Result ExprLowering::emitLeg(ir::Temporal temporal, const LegWords
 /// How many dives have begun since the state was entered.
 ExprLowering::Result ExprLowering::yoNumber(const support::SourceRange& range) {
   if (!scope_.context.list) {
-    scope_.report(support::diagnostics::overTimeNowhere, range, "yo_number");
+    scope_.refuseOverTime(range, "yo_number");
     return std::nullopt;
   }
   ir::Temporal temporal;

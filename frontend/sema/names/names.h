@@ -97,6 +97,7 @@ struct Context {
   ir::StateId state;
   /// Not empty if the value must be known before the mission runs: the reason, "a constant".
   std::string_view constant;
+  bool requirement = false;  ///< in a requirement, or in a place that it names
   /// Whether the value must be known when the mission starts: constants and parameters only.
   bool at_start = false;
   /// The state whose activities `profiledone` and `routedone` read; null where there is none.

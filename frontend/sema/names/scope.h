@@ -152,6 +152,11 @@ class Scope {
     }
     return builder;
   }
+  /// Reports that `what` watches something over time where that is not possible.
+  support::DiagnosticBuilder refuseOverTime(const support::SourceRange& range,
+                                            std::string_view what);
+  /// "states: down, fix"; empty if there are none.
+  [[nodiscard]] std::string listedStates() const;
   [[nodiscard]] const std::string& fileName(uint32_t file) const {
     return inputs_.sources.name(file);
   }

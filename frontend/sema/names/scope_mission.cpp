@@ -137,4 +137,18 @@ ir::CInterface Scope::declaredInC() const {
   return result;
 }
 
+support::DiagnosticBuilder Scope::refuseOverTime(const support::SourceRange& range,
+                                                 std::string_view what) {
+  return report(support::diagnostics::overTimeNowhere, range, what,
+                context.requirement ? "in a requirement" : "in this value");
+}
+
+std::string Scope::listedStates() const {
+  std::string all;
+  for (const auto& [name, id] : states) {
+    all += (all.empty() ? "states: " : ", ") + name;
+  }
+  return all;
+}
+
 }  // namespace glider::frontend

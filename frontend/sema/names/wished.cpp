@@ -30,6 +30,8 @@ constexpr std::string_view kCtdHint =
     "it is computed from `cond`, `temp` and `scipressure`: list those";
 constexpr std::string_view kStateHint = "it is a value of `m_depth_state`: list that to log it";
 constexpr std::string_view kClockHint = "it is `m_present_time`: list that to log it";
+constexpr std::string_view kHourHint =
+    "write `timeofday`, the time of the day in UTC, as in `timeofday < 11 h`";
 constexpr std::string_view kLeftHint =
     "write `energyleft`, the share of the line `pack` that is left";
 constexpr Wish kWishes[] = {
@@ -73,6 +75,10 @@ constexpr Wish kWishes[] = {
     {"on_surface", "did you mean `at_surface`?", "m_depth_state"},
     {"utc", kClockHint, "m_present_time"},
     {"timeofday", kClockHint, "m_present_time"},
+    {"hour", kHourHint, "m_present_time"},
+    {"hours", kHourHint, "m_present_time"},
+    {"hourofday", kHourHint, "m_present_time"},
+    {"hour_of_day", kHourHint, "m_present_time"},
     {"date", "write `utc`, with a time such as `2026-08-11T14:00Z`", "m_present_time"},
     {"energy", "write `energyleft`, or `energyused`, with a line `pack`", "charge"},
     {"energy_left", "write `energyleft`", "charge", "energyleft"},
@@ -148,6 +154,13 @@ std::string_view behaviourInsteadOf(std::string_view wish, size_t arguments) {
   const auto* row = std::ranges::find_if(
       kRows, [&](const Row& one) { return one.name == wish && arguments <= one.most; });
   return row == std::end(kRows) ? std::string_view() : row->behaviour;
+}
+
+bool namesWaypointList(std::string_view wish) {
+  constexpr std::string_view kFile = "goto_l";
+  return wish == "goto_list" || wish == "waypoints" ||
+         (wish.starts_with(kFile) && wish.size() > kFile.size() &&
+          wish.find_first_not_of("0123456789", kFile.size()) == std::string_view::npos);
 }
 
 }  // namespace glider::frontend

@@ -19,4 +19,7 @@ std::optional<Suggestion> insteadOf(std::string_view wish, const platforms::Plat
 /// the like with so many arguments; empty: there is none.
 std::string_view behaviourInsteadOf(std::string_view wish, size_t arguments);
 
+/// Whether `wish` is the vehicle's behaviour `goto_list`, or a file of its waypoints, `goto_l10`.
+bool namesWaypointList(std::string_view wish);
+
 }  // namespace glider::frontend

@@ -32,7 +32,12 @@ bool refuseUnknown(const std::string& name, const support::SourceRange& range, S
   for (const auto& [known, node] : scope.places) {
     names.push_back(known);
   }
-  scope.reportUnknown(support::diagnostics::unknownState, range, didYouMean(name, names, ""), name);
+  std::string all = scope.listedStates();
+  for (const auto& [known, node] : scope.places) {
+    all += fmt::format("{}{}", &known == &scope.places.begin()->first ? "; places: " : ", ", known);
+  }
+  scope.reportUnknown(support::diagnostics::unknownState, range, didYouMean(name, names, all),
+                      name);
   return true;
 }
 

@@ -90,11 +90,7 @@ std::string CaseLowering::insteadOfState(const std::string& name) const {
     return fmt::format("`{0}` is a profile: write a state with `flightprofile {0}`, and name that",
                        profile);
   }
-  std::string all;
-  for (const auto& [state, id] : scope_.states) {
-    all += (all.empty() ? "states: " : ", ") + state;
-  }
-  return all;
+  return scope_.listedStates();
 }
 
 void CaseLowering::lowerTarget(const ast::Use& target, ir::Case& lowered) {

@@ -34,9 +34,16 @@ BehaviourDeclaration* findBehaviour(const ast::Use& use, ir::BehaviourKind kind,
       all += (all.empty() ? std::string(word(kind)) + "s: " : ", ") + std::string(name);
     }
     const std::string_view meant = behaviourInsteadOf(use.name.text, use.arguments.size());
-    const bool there = std::ranges::find(names, meant) != names.end();
-    const Suggestion suggestion = there ? Suggestion{fmt::format("did you mean `{}`?", meant), ""}
-                                        : didYouMean(use.name.text, names, all);
+    const auto isThere = [&](std::string_view name) {
+      return std::ranges::find(names, name) != names.end();
+    };
+    const Suggestion suggestion =
+        isThere(meant) ? Suggestion{fmt::format("did you mean `{}`?", meant), ""}
+        : namesWaypointList(use.name.text) && isThere("along")
+            ? Suggestion{"in a mission this is `along(track, capture)` for a path, or `nav(to)` "
+                         "for a position",
+                         ""}
+            : didYouMean(use.name.text, names, all);
     scope.reportUnknown(support::diagnostics::unknownProfileOrRoute, use.name.where, suggestion,
                         word(kind), use.name.text);
     return nullptr;

@@ -7,6 +7,7 @@
 #include "ir/prove/context/never_unknown.h"
 #include "ir/prove/context/setting.h"
 #include "ir/verify/intervals.h"
+#include "ir/verify/value_text.h"
 #include "ir/verify/whole_numbers.h"
 #include "ir/worlds/depth_sensor.h"
 
@@ -86,6 +87,11 @@ ProofContext ProofContext::endingBy(double latest) const {
   ProofContext same(mission, platform, latest);
   same.tick_gap_s = tick_gap_s;
   return same;
+}
+
+std::string ProofContext::readingText(SensorId id, double value) const {
+  const platforms::PlatformSensor* row = platformSensor(id);
+  return withCountedUnit(value, mission[id].type, row == nullptr ? std::string_view() : row->unit);
 }
 
 }  // namespace glider::ir::prove

@@ -53,6 +53,8 @@ struct ProofContext {
   /// The same while the vehicle's depth is never unknown.
   [[nodiscard]] ProofContext withDepthKnown() const;
 
+  /// A value that a sensor measures, with its unit: "0.75 ug/L".
+  [[nodiscard]] std::string readingText(SensorId id, double value) const;
   /// The platform's row of a sensor; null if the platform does not have it.
   [[nodiscard]] const platforms::PlatformSensor* platformSensor(SensorId id) const {
     return platform.find(mission[id].vehicle_name);

@@ -118,11 +118,13 @@ class Description {
       if (m.compass && m.compass->variation == SensorId{index}) {
         continue;  // the runtime's own: it makes headings true
       }
-      number(m.sensors[index].name, m.sensors[index].type, term);
+      number(m.sensors[index].name, term,
+             [&](double value) { return moment_.proof_context().readingText({index}, value); });
     }
     for (const auto& [index, term] : moment_.numbers()) {
       if (!isInner(m, {index})) {
-        number(pilotName(m, {index}), m.variables[index].type, term);
+        number(pilotName(m, {index}), term,
+               [&](double value) { return withUnit(value, m.variables[index]); });
       }
     }
     for (const auto& [index, term] : moment_.truths()) {
@@ -139,9 +141,9 @@ class Description {
   }
 
  private:
-  void number(const std::string& name, Type type, const NumberTerm& term) {
-    add(name, holds(model_, term.known) ? "= " + withUnit(doubleOf(model_, term.value), type)
-                                        : "unknown");
+  template <typename Text>
+  void number(const std::string& name, const NumberTerm& term, const Text& text) {
+    add(name, holds(model_, term.known) ? "= " + text(doubleOf(model_, term.value)) : "unknown");
   }
   void add(std::string_view name, std::string_view value) {
     text_ += fmt::format("{}{} {}", text_.empty() ? "" : ", ", name, value);

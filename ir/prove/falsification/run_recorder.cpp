@@ -252,8 +252,9 @@ void RunRecorder::describeValues() {
     } else if (e.op == Op::Sensor && e.type.kind == TypeKind::Longitude && value == value) {
       east = value;
     } else {
-      tell_value(
-          fmt::format("{} {}", name, value == value ? "is " + withUnit(value, e.type) : "unknown"));
+      const std::string known = e.op == Op::Sensor ? proof_context_.readingText(e.sensor, value)
+                                                   : withUnit(value, m_[e.variable]);
+      tell_value(fmt::format("{} {}", name, value == value ? "is " + known : "unknown"));
     }
   }
   if (north && east) {

@@ -93,11 +93,12 @@ void noteHeldBack(support::DiagnosticBuilder& error, const Counterexample& run,
 }
 
 /// As it would be set: a time of the calendar if the usual value is one.
-std::string parameterText(double value, double usual, const Type& type) {
+std::string parameterText(double value, double usual, const Variable& parameter) {
   constexpr double kYear_s = 365 * 86400.0;
+  const Type& type = parameter.type;
   const bool date = type.kind == TypeKind::Quantity && type.dimension == support::dimension::time &&
                     usual > kYear_s;
-  return date ? support::instantText(value) : withUnit(value, type);
+  return date ? support::instantText(value) : withUnit(value, parameter);
 }
 
 /// The parameters with which it is violated, if one has another value than its default.
@@ -113,10 +114,11 @@ void noteParameters(support::DiagnosticBuilder& error, const Requirement& requir
     }
     if (run.parameters[number] != usual[number]) {
       several = !list.empty();
-      endless = endless || std::max(std::fabs(variable.lowest), std::fabs(variable.highest)) ==
-                               Variable::kEndless;
+      endless = endless || (variable.type.kind != TypeKind::Bool &&
+                            std::max(std::fabs(variable.lowest), std::fabs(variable.highest)) ==
+                                Variable::kEndless);
       list += fmt::format("{}`{}` at {}", list.empty() ? "" : ", ", variable.name,
-                          parameterText(run.parameters[number], usual[number], variable.type));
+                          parameterText(run.parameters[number], usual[number], variable));
     }
     ++number;
   }

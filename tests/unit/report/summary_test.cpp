@@ -168,6 +168,15 @@ TEST(Summary, SaysForHowLongTheSbcSlept) {
   EXPECT_NE(summarize(trace).find("SBC asleep   50.0 % of the flight, 3 times\n"),
             std::string::npos)
       << summarize(trace);
+  trace.battery = {1000, 100};
+  EXPECT_EQ(summarize(trace).find("asleep_W"), std::string::npos);
+  trace.battery->sleep_saves = false;
+  EXPECT_NE(
+      summarize(trace).find(
+          "SBC asleep   50.0 % of the flight, 3 times; it saves nothing: no lower `asleep_W` is "
+          "given\n"),
+      std::string::npos)
+      << summarize(trace);
 }
 
 TEST(Summary, ManyEventsAreCounted) {

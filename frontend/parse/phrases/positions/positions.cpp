@@ -257,6 +257,29 @@ bool mayGoOn(const Phrase& phrase) {
 
 }  // namespace
 
+size_t declinationWithLetter(Phrase& phrase) {
+  if (phrase.before() != GliderLexer::DECLINATION || !mayGoOn(phrase)) {
+    return 0;
+  }
+  const auto half = writtenHalf(phrase.source().text(), phrase.token().begin, false);
+  const size_t tokens = half && !half->latitude() ? tokensTo(phrase, half->end) : 0;
+  if (tokens == 0 || half->numbers > 1 || !phrase.startsLine(tokens)) {
+    return 0;
+  }
+  const Lexeme whole = wholeOf(*half);
+  const std::string better = fmt::format("{}{} deg", half->letter == 'W' ? "-" : "", half->digits);
+  phrase.reporter()
+      .at(whole, support::diagnostics::unexpectedToken, "an angle",
+          fmt::format("`{}`", phrase.source().text(whole)))
+      .hint(fmt::format("write `declination {}`{}", better,
+                        half->letter == 'W' ? ": west is below 0" : ""))
+      .fix(phrase.source().range(whole), better);
+  phrase.put(phrase.token());
+  phrase.put({GliderLexer::UNIT, whole.end, whole.end});
+  phrase.notAsMeant();
+  return tokens;
+}
+
 size_t writtenPosition(Phrase& phrase) {
   if (phrase.type() == GliderLexer::NUMBER && !mayGoOn(phrase)) {
     return 0;

@@ -22,4 +22,19 @@ size_t tokensOfWholeCondition(const Phrase& phrase, size_t first);
 /// 60 m`: what was read is the promise that a value stays below or above a limit.
 size_t limitInWords(Phrase& phrase);
 
+/// `never depth > 60 m` for the condition `depth <= 60 m` of `count` tokens from token `first` on.
+std::string neverInstead(const Phrase& phrase, size_t first, size_t count);
+
+/// `in look never depth > 60 m`: the colon after the scope is missing.
+size_t scopeWithoutColon(Phrase& phrase);
+
+/// `never depth > 60 m in look`: the scope of a promise comes before it.
+size_t scopeAtEnd(Phrase& phrase);
+
+/// `never more than 2 look`, `never look more than 2 times`.
+size_t neverMoreTimes(Phrase& phrase);
+
+/// `eventually look within 2 h`.
+size_t eventually(Phrase& phrase);
+
 }  // namespace glider::frontend::phrases

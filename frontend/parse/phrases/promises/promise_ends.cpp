@@ -3,6 +3,7 @@
 
 // What comes after the first words of a promise.
 
+#include "frontend/parse/phrases/promises/parts.h"
 #include "frontend/parse/phrases/repairs.h"
 #include "frontend/parse/token_kinds.h"
 #include "support/diagnostics/ids/syntax.h"
@@ -73,26 +74,28 @@ size_t timesLeftOut(Phrase& phrase) {
   return 2;
 }
 
+std::string neverInstead(const Phrase& phrase, size_t first, size_t count) {
+  for (size_t k = 1; k < count; ++k) {
+    const std::string_view sign = turnedRound(phrase.type(first + k));
+    if (!sign.empty()) {
+      return fmt::format("never {} {} {}", phrase.wholeText(first, k), sign,
+                         phrase.wholeText(first + k + 1, count - k - 1));
+    }
+  }
+  return fmt::format("never !({})", phrase.wholeText(first, count));
+}
+
 size_t alwaysAfterScope(Phrase& phrase) {
   const size_t count = tokensOfValue(phrase, 1, true);
   if (phrase.before() != GliderLexer::COLON || phrase.keyword() != GliderLexer::REQUIRE ||
       count == 0) {
     return 0;
   }
-  std::string better = fmt::format("never !({})", phrase.wholeText(1, count));
-  for (size_t k = 1; k < count; ++k) {
-    const std::string_view sign = turnedRound(phrase.type(1 + k));
-    if (!sign.empty()) {
-      better = fmt::format("never {} {} {}", phrase.wholeText(1, k), sign,
-                           phrase.wholeText(k + 2, count - k - 1));
-      break;
-    }
-  }
   const Lexeme word = phrase.token();
   phrase.reporter()
       .at(word, support::diagnostics::unexpectedToken,
           "what happens there, such as `never` and a condition", "`always`")
-      .hint(fmt::format("write `{}`", better));
+      .hint(fmt::format("write `{}`", neverInstead(phrase, 1, count)));
   phrase.put({GliderLexer::NEVER, word.begin, word.end});
   phrase.notAsMeant();
   return 1;

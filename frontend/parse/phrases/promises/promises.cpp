@@ -350,9 +350,10 @@ size_t promise(Phrase& phrase) {
   if (phrase.before() != GliderLexer::REQUIRE) {
     return 0;
   }
-  return firstOf(phrase, {subject, visits, visitLeftOut, timeFirst, reachWithin, limitInWords,
-                          alwaysForVisit, promiseWords, surfacingAtLeast, surfacesTimes, timeAlone,
-                          caseAsWhenever, alwaysAtEnd, alwaysLeftOut});
+  return firstOf(phrase, {subject, visits, visitLeftOut, timeFirst, reachWithin, neverMoreTimes,
+                          eventually, scopeWithoutColon, scopeAtEnd, limitInWords, alwaysForVisit,
+                          promiseWords, surfacingAtLeast, surfacesTimes, timeAlone, caseAsWhenever,
+                          alwaysAtEnd, alwaysLeftOut});
 }
 
 size_t promiseInside(Phrase& phrase) {
@@ -375,11 +376,12 @@ size_t promiseInside(Phrase& phrase) {
 
 namespace {
 
-/// `whenever a then b in 5 min`.
-size_t timeOfReaction(Phrase& phrase) {
+/// `whenever a then b in 5 min`, `visit b in 2 h or exit`.
+size_t timeAfterIn(Phrase& phrase) {
   const size_t time = phrase.type() == GliderLexer::IN ? tokensOfQuantity(phrase, 1) : 0;
-  if (time == 0 || !endsValue(phrase.before()) || !phrase.startsLine(1 + time) ||
-      !phrase.hasRead({GliderLexer::THEN})) {
+  const bool ends = phrase.startsLine(1 + time) || phrase.type(1 + time) == GliderLexer::OR_WORD;
+  if (time == 0 || !endsValue(phrase.before()) || !ends ||
+      !phrase.hasRead({GliderLexer::THEN, GliderLexer::VISIT, GliderLexer::UNTIL})) {
     return 0;
   }
   const Lexeme found = phrase.token();
@@ -503,10 +505,13 @@ size_t reaction(Phrase& phrase) {
   const bool in_state =
       phrase.hasRead({GliderLexer::BEGIN, GliderLexer::FLIGHTPROFILE, GliderLexer::SENSORS,
                       GliderLexer::SAMPLE, GliderLexer::EVENTS, GliderLexer::CASE});
-  return !in_state && phrase.hasRead({GliderLexer::WHENEVER, GliderLexer::WHEN})
-             ? firstOf(phrase,
-                       {timeOfReaction, commaOfReaction, stayInReaction, atOnce, stateOfReaction})
-             : 0;
+  if (in_state) {
+    return 0;
+  }
+  if (!phrase.hasRead({GliderLexer::WHENEVER, GliderLexer::WHEN})) {
+    return phrase.keyword() == GliderLexer::REQUIRE ? timeAfterIn(phrase) : 0;
+  }
+  return firstOf(phrase, {timeAfterIn, commaOfReaction, stayInReaction, atOnce, stateOfReaction});
 }
 
 size_t stateWordInPromise(Phrase& phrase) {

@@ -6,6 +6,7 @@
 #include "simulator/campaign/kinds_of_faults.h"
 #include "simulator/slocum/own_mission.h"
 #include "tests/unit/slocum/good_flight.h"
+#include "vehicles/slocum/oracles/wrong_sensors.h"
 
 namespace glider::slocum::oracles {
 namespace {
@@ -70,6 +71,25 @@ TEST(JudgeSetup, ASensorThatIsStuckAndSwaysDrifts) {
   faults.sensors.push_back({.name = "m_depth", .kind = SensorFault::Kind::Frozen});
   faults.sensors.push_back({.name = "m_depth", .kind = SensorFault::Kind::Sways, .value = 1});
   EXPECT_EQ(kindsOf(faults), std::vector{FaultKind::SensorDrift});
+}
+
+/// hookbeh then waits longer for a new reading.
+TEST(JudgeSetup, ASensorThatIsMissingInSomeCyclesIsSeldom) {
+  using Kind = SensorFault::Kind;
+  const auto seldom = [](const SensorFault& fault, double now_s) {
+    Faults faults;
+    faults.sensors.push_back(fault);
+    return isSeldom(faults, {"m_depth"}, now_s, 44);
+  };
+  const SensorFault some{
+      .name = "m_depth", .when = {100, 200}, .kind = Kind::Missing, .share = 0.8};
+  EXPECT_FALSE(seldom(some, 99));
+  EXPECT_TRUE(seldom(some, 100));
+  EXPECT_TRUE(seldom(some, 243));
+  EXPECT_FALSE(seldom(some, 244));
+  EXPECT_FALSE(seldom({.name = "m_depth", .kind = Kind::Missing}, 150)) << "it is never reported";
+  EXPECT_FALSE(seldom({.name = "m_depth", .kind = Kind::Jumps, .share = 0.8}, 150));
+  EXPECT_FALSE(seldom({.name = "m_pitch", .kind = Kind::Missing, .share = 0.8}, 150));
 }
 
 TEST(JudgeSetup, BeforeTheFirstSensorIsWrongAllIsPromised) {

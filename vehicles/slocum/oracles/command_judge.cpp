@@ -45,12 +45,14 @@ constexpr int kLate = 4;                                              // cycles
 // s; a climb of a guard as brief as that turns the vehicle, which then is late in the next dive.
 constexpr double kBrief = 20, kTurnsBack = 90;
 // A depth that cannot be believed: hookbeh's own limits, plus two cycles.
-constexpr double kFar = 1e9;            // m
-constexpr double kLongAgo = -1e9;       // s
-constexpr double kHighest = -5;         // m
-constexpr double kFrozenSecs = 24;      // of a dive, deeper than a metre
-constexpr double kRareFrozenSecs = 44;  // the same where the pressure is read seldom
-constexpr double kWrong = 8;            // m from the truth, if there is a CTD
+constexpr double kFar = 1e9;        // m
+constexpr double kLongAgo = -1e9;   // s
+constexpr double kHighest = -5;     // m
+constexpr double kFrozenSecs = 24;  // of a dive, deeper than a metre
+// The same where the depth is new in few cycles: hookbeh waits for twice its usual time, up to 36
+// s.
+constexpr double kRareFrozenSecs = 44;
+constexpr double kWrong = 8;         // m from the truth, if there is a CTD
 constexpr double kWrongSecs = 60;    // of a dive; an error at its beginning takes as long to show
 constexpr double kIdleSecs = 200;    // a dive that does not gain depth
 constexpr double kCreepsSecs = 380;  // one that gains it slowly: hookbeh may wait 2 x 180 s
@@ -247,7 +249,8 @@ std::string CommandJudge::judgeBlind(const CycleView& view, double reading) {
     same_s_ = -s_.cycle_s;  // hookbeh believes a reading that has jumped one cycle later
   }
   reading_m_ = reading;
-  return same > (s_.late_m > 0 ? kRareFrozenSecs : kFrozenSecs)
+  const bool rare = s_.late_m > 0 || isSeldom(s_.faults, {"m_depth"}, view.time_s, kRareFrozenSecs);
+  return same > (rare ? kRareFrozenSecs : kFrozenSecs)
              ? fmt::format("dives for {:.0f} s by a depth that is frozen", same)
          : wrong > kWrongSecs
              ? fmt::format("dives at {:.1f} m by a depth of {:.1f} m", view.true_depth_m, reading)

@@ -28,4 +28,13 @@ bool isWrong(const Faults& faults, std::initializer_list<std::string_view> senso
   });
 }
 
+bool isSeldom(const Faults& faults, std::initializer_list<std::string_view> sensors, double now_s,
+              double fades_s) {
+  return std::ranges::any_of(faults.sensors, [&](const SensorFault& fault) {
+    return std::ranges::find(sensors, fault.name) != sensors.end() &&
+           fault.kind == SensorFault::Kind::Missing && fault.share < 1 &&
+           hasEffect(fault, now_s, fades_s);
+  });
+}
+
 }  // namespace glider::slocum::oracles

@@ -16,7 +16,11 @@ namespace glider::slocum::oracles {
 bool isWrong(const Faults& faults, std::initializer_list<std::string_view> sensors, double now_s,
              double fades_s);
 
-/// The same of any sensor.
+/// Whether one of these is reported in few cycles only, by a fault that leaves some.
+bool isSeldom(const Faults& faults, std::initializer_list<std::string_view> sensors, double now_s,
+              double fades_s);
+
+/// The same as isWrong of any sensor.
 bool anyWrong(const Faults& faults, double now_s, double fades_s);
 
 }  // namespace glider::slocum::oracles

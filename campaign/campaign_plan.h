@@ -46,9 +46,9 @@ struct CampaignPlan {
   uint64_t seed = 1;
   uint64_t part = 1, parts = 1;  ///< which share of the flights is flown; all others are left out
   unsigned jobs = 1;             ///< flights at a time, in each process
-  double hang_s = 60,
-         hang_on_board_s =
-             600;  ///< of real time, at least; a flight that takes longer hangs (measureMissions)
+  /// A flight that takes longer, of real time, hangs. measureMissions makes them longer where
+  /// flights take long.
+  double hang_s = 60, hang_on_board_s = 600;
 };
 
 /// One flight of a campaign, defined by the plan and its number.

@@ -80,12 +80,9 @@ int statusOf(const campaign::CampaignResult& result) {
   return violated ? kMissionHasErrors : kFine;
 }
 
-/// "9 of " where a flight that hangs has ended the campaign.
-std::string notFlown(const campaign::CampaignPlan& plan, std::ptrdiff_t flown) {
-  const campaign::FlightRange range = campaign::rangeOf(plan);
-  return static_cast<uint64_t>(flown) < range.end - range.begin
-             ? fmt::format("a flight hangs, so others were not flown: {} of ", flown)
-             : "";
+/// How many of the flights a flight that hangs has left; empty: none hangs.
+std::string whyNotAll(const campaign::CampaignResult& result, std::ptrdiff_t flown) {
+  return result.hung ? fmt::format("a flight hangs, so others were not flown: {} of ", flown) : "";
 }
 
 /// Prints the result; sorts the file of flights by their numbers.
@@ -98,7 +95,7 @@ int tellResult(const campaign::CampaignPlan& plan, const campaign::CampaignOptio
   const auto flown = std::ranges::count_if(result.verdicts,
                                            [](const auto& verdict) { return verdict.has_value(); });
   const std::string file = fileOf(options);
-  std::string last = fmt::format("{}{}, seed {}, {:.1f} s\n", notFlown(plan, flown),
+  std::string last = fmt::format("{}{}, seed {}, {:.1f} s\n", whyNotAll(result, flown),
                                  flightsText(plan), plan.seed, took_s);
   if (result.interrupted) {
     last = fmt::format("interrupted after {} of {}, seed {}{}\n", flown,

@@ -5,19 +5,15 @@
 
 #include "frontend/parse/lexeme.h"
 #include "frontend/parse/token_kinds.h"
+#include "support/one_of.h"
 #include "support/units/units.h"
 
 #include <algorithm>
-#include <initializer_list>
 
 namespace glider::frontend::formatting {
 namespace {
 
 constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
-
-bool oneOf(std::string_view text, std::initializer_list<std::string_view> words) {
-  return std::ranges::find(words, text) != words.end();
-}
 
 /// A comment with `\n` line ends and no spaces before them.
 std::string cleaned(std::string_view comment) {
@@ -108,11 +104,11 @@ class Classifier {
       chain_ = Chain::Type;
     } else if (isNumber(last.text) && (isUnit(i) || isSoftUnit(i))) {
       chain_ = Chain::Unit;
-    } else if (oneOf(token.text, {"*", "/"})) {
+    } else if (support::isOneOf(token.text, {"*", "/"})) {
       token.unit_part =
           chain_ == Chain::Type || (chain_ == Chain::Unit && (unitFollows(i) || isFraction(i - 1)));
       chain_ = token.unit_part ? chain_ : Chain::None;
-    } else if (last.unit_part && oneOf(last.text, {"*", "/"})) {
+    } else if (last.unit_part && support::isOneOf(last.text, {"*", "/"})) {
       token.unit_part = true;
     } else if (!last.is(":")) {
       chain_ = Chain::None;
@@ -148,11 +144,11 @@ class Classifier {
     } else {
       token.ends_value = isNumber(token.text) || token.text.starts_with('"') || token.closes() ||
                          lexemes_[i].type == GliderLexer::HEARD ||
-                         oneOf(token.text, {"true", "false"});
+                         support::isOneOf(token.text, {"true", "false"});
     }
-    token.operation =
-        !token.unit_part && last.ends_value &&
-        oneOf(token.text, {"+", "-", "*", "/", "<", "<=", ">", ">=", "==", "!=", "&&", "||"});
+    token.operation = !token.unit_part && last.ends_value &&
+                      support::isOneOf(token.text, {"+", "-", "*", "/", "<", "<=", ">",
+                                                    ">=", "==", "!=", "&&", "||"});
   }
   static bool isNumber(std::string_view text) {
     const std::string_view digits = text.starts_with('.') ? text.substr(1) : text;
@@ -160,13 +156,14 @@ class Classifier {
   }
   /// After `last`, words such as `in`, `of`, `where` and `done` are words of the language.
   static bool noNameAfter(const Token& last) {
-    return last.ends_value || oneOf(last.text, {"end", "extern", "require", "exit", "stale"});
+    return last.ends_value ||
+           support::isOneOf(last.text, {"end", "extern", "require", "exit", "stale"});
   }
 
   static bool tight(const Token& token, const Token& last) {
-    const bool sign = oneOf(last.text, {"-", "!"}) && !last.operation;
+    const bool sign = support::isOneOf(last.text, {"-", "!"}) && !last.operation;
     return token.unit_part || sign || last.opens() || token.closes() ||
-           oneOf(token.text, {",", ":"}) || (token.opens() && last.name);
+           support::isOneOf(token.text, {",", ":"}) || (token.opens() && last.name);
   }
 
   std::vector<Token>& tokens_;

@@ -8,11 +8,10 @@
 #include "frontend/spelling.h"
 #include "grammar/GliderParser.h"
 #include "support/diagnostics/ids/syntax.h"
+#include "support/one_of.h"
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <initializer_list>
 #include <string>
 
 namespace glider::frontend {
@@ -92,10 +91,6 @@ std::string listOf(const antlr4::misc::IntervalSet& set) {
     out += (i == 0 ? "" : i + 1 == words.size() ? " or " : ", ") + words[i];
   }
   return out;
-}
-
-bool oneOfWords(std::string_view word, std::initializer_list<std::string_view> words) {
-  return std::ranges::find(words, word) != words.end();
 }
 
 /// What is between the quotation marks, typewritten or typeset; empty if the second is missing.
@@ -253,9 +248,9 @@ void ErrorStrategy::complainOfTransition(const Lexeme& before, const Lexeme& fou
       report.hint(fmt::format("did you mean `{}`?", meant));
     } else if (isStateName(reporter_.source(), word)) {
       report.hint(fmt::format("write `goto {0}` or `call {0}`", word));
-    } else if (oneOfWords(word, {"stop", "finish", "quit", "terminate", "abort"})) {
+    } else if (support::isOneOf(word, {"stop", "finish", "quit", "terminate", "abort"})) {
       report.hint("write `exit`, which ends the mission");
-    } else if (oneOfWords(word, {"surface", "surfaced"})) {
+    } else if (support::isOneOf(word, {"surface", "surfaced"})) {
       report.hint("write `goto` and a state with `flightprofile surfaced`");
     }
   } else {

@@ -18,8 +18,8 @@ namespace glider::ir {
 /// that conditions have compared. The key is the first expression with the same reading.
 struct Knowledge {
   std::map<uint32_t, Interval> within;
-  std::set<uint32_t>
-      known;  ///< expressions that are not unknown: a comparison of them was true or false
+  /// Expressions that are not unknown: a comparison of them was true or false.
+  std::set<uint32_t> known;
   bool unreachable = false;  ///< the place is never reached
 };
 

@@ -4,10 +4,10 @@
 #include "frontend/parse/phrases/repairs.h"
 #include "frontend/parse/token_kinds.h"
 #include "support/diagnostics/ids/syntax.h"
+#include "support/one_of.h"
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <optional>
 
 namespace glider::frontend::phrases {
@@ -88,14 +88,11 @@ size_t changeOfVariable(Phrase& phrase) {
   return change->end;
 }
 
-bool isOneOf(std::string_view word, std::initializer_list<std::string_view> words) {
-  return std::ranges::find(words, word) != words.end();
-}
-
 /// `print "warm"`.
 size_t printing(Phrase& phrase) {
-  const bool word = phrase.type() == GliderLexer::NAME &&
-                    isOneOf(phrase.lower(), {"print", "printf", "echo", "display", "write", "say"});
+  const bool word =
+      phrase.type() == GliderLexer::NAME &&
+      support::isOneOf(phrase.lower(), {"print", "printf", "echo", "display", "write", "say"});
   const size_t open = phrase.type(1) == GliderLexer::LPAREN ? 1 : 0;
   if (!word || phrase.type(1 + open) != GliderLexer::STRING) {
     return 0;
@@ -124,7 +121,7 @@ size_t printing(Phrase& phrase) {
 /// `wait 10 min`: the cases of a state wait.
 size_t waiting(Phrase& phrase) {
   const bool word = phrase.type() == GliderLexer::NAME &&
-                    isOneOf(phrase.lower(), {"wait", "sleep", "delay", "pause"});
+                    support::isOneOf(phrase.lower(), {"wait", "sleep", "delay", "pause"});
   const size_t open = phrase.type(1) == GliderLexer::LPAREN ? 1 : 0;
   const size_t time = word ? tokensOfNumber(phrase, 1 + open) : 0;
   if (time == 0) {
@@ -142,7 +139,8 @@ size_t waiting(Phrase& phrase) {
 
 /// `elseif depth > 3 m then`: to keep the blocks in order, it is read as an `if` of its own.
 size_t elseIf(Phrase& phrase) {
-  if (phrase.type() != GliderLexer::NAME || !isOneOf(phrase.lower(), {"elseif", "elif", "elsif"})) {
+  if (phrase.type() != GliderLexer::NAME ||
+      !support::isOneOf(phrase.lower(), {"elseif", "elif", "elsif"})) {
     return 0;
   }
   const Lexeme word = phrase.token();

@@ -4,21 +4,18 @@
 #include "frontend/parse/phrases/repairs.h"
 #include "frontend/parse/token_kinds.h"
 #include "support/diagnostics/ids/syntax.h"
+#include "support/one_of.h"
 
 #include <fmt/format.h>
 
-#include <algorithm>
+#include <initializer_list>
 #include <string>
 
 namespace glider::frontend::phrases {
 namespace {
 
-bool isOneOf(std::string_view word, std::initializer_list<std::string_view> words) {
-  return std::ranges::find(words, word) != words.end();
-}
-
 bool isNamedOneOf(const Phrase& phrase, size_t k, std::initializer_list<std::string_view> words) {
-  return phrase.type(k) == GliderLexer::NAME && isOneOf(phrase.text(k), words);
+  return phrase.type(k) == GliderLexer::NAME && support::isOneOf(phrase.text(k), words);
 }
 
 /// Whether two names after a comma can only be meant as a leg: `highest(temp, last yo)`.
@@ -173,17 +170,18 @@ size_t wordOfWindow(Phrase& phrase) {
   if (number == 0) {
     return 0;
   }
-  const bool says_length = isOneOf(phrase.text(), {"over", "within", "during", "for", "in"});
-  const bool compares = isOneOf(phrase.text(), {"under", "below", "above"});
+  const bool says_length =
+      support::isOneOf(phrase.text(), {"over", "within", "during", "for", "in"});
+  const bool compares = support::isOneOf(phrase.text(), {"under", "below", "above"});
   if (!says_length && !compares) {
     return 0;
   }
   const std::string_view function = phrase.source().text(*phrase.lexemeBefore(2));
-  if (!isOneOf(function, {"mean", "lowest", "highest", "spread", "slope"})) {
+  if (!support::isOneOf(function, {"mean", "lowest", "highest", "spread", "slope"})) {
     return 0;
   }
   const std::string_view unit = phrase.text(number);
-  const bool time = isOneOf(unit, {"s", "min", "h", "day", "days"});
+  const bool time = support::isOneOf(unit, {"s", "min", "h", "day", "days"});
   const Lexeme word = phrase.token();
   const std::string length(phrase.wholeText(1, number));
   const std::string better = time ? length : length + " of depth";

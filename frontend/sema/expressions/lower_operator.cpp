@@ -378,9 +378,9 @@ std::optional<double> writtenValue(const ast::Expr& expr) {
               : std::nullopt;
 }
 
-ast::BinaryOp turnedRound(ast::BinaryOp op) {
-  using enum ast::BinaryOp;
-  return op == Less ? Greater : op == LessEqual ? GreaterEqual : op == Greater ? Less : LessEqual;
+/// `>` for `<`.
+std::string_view mirrored(ast::BinaryOp op) {
+  return std::ranges::find(kOperators, ir::mirrored(rowOf(op).op), &OperatorRow::op)->text;
 }
 
 /// Whether no value is between the two numbers of `23 h < timeofday < 11 h`.
@@ -400,9 +400,8 @@ std::string outsideOf(const ast::Binary& first, const ast::Binary& second, const
   const std::string value = scope.text(first.right->where);
   const std::string one = scope.text(first.left->where);
   const std::string other = scope.text(second.right->where);
-  std::string hint =
-      fmt::format("write `{} {} {} || {} {} {}`", value, rowOf(turnedRound(first.op)).text, one,
-                  value, rowOf(second.op).text, other);
+  std::string hint = fmt::format("write `{} {} {} || {} {} {}`", value, mirrored(first.op), one,
+                                 value, rowOf(second.op).text, other);
   if (value != "timeofday") {
     hint += fmt::format(", or `{} {} {} && {} {} {}`", other, rowOf(first.op).text, value, value,
                         rowOf(second.op).text, one);

@@ -6,6 +6,8 @@
 #include <gtest/gtest.h>
 
 #include <limits>
+#include <string>
+#include <vector>
 
 namespace glider::flights {
 namespace {
@@ -78,6 +80,37 @@ TEST_F(NapWatched, APollWithoutATickSaysNothing) {
   context_.depth = 5;
   tick(4, 200);
   EXPECT_FALSE(watch_.latest());
+}
+
+compiler::Optimised missionWith(const std::string& line) {
+  const auto compilation = compiler::compileText("m.mission", "mission m\n" + line + R"(
+state look
+begin
+  flightprofile yo(5 m, 50 m)
+  sensors       missiontime, depth
+  events
+    case missiontime > 1 h exit
+end
+)");
+  return compiler::optimise(compilation->checked);
+}
+
+/// 15 s to wake and to read, and a cycle.
+TEST_F(NapWatched, MoreThanTheTimeToWakeIsTooLate) {
+  using simulator::SensorFault;
+  const compiler::Optimised sleeps = missionWith("nap at most 4 min");
+  tick(0, 0);
+  context_.depth = 5;
+  tick(100, 119);
+  EXPECT_FALSE(tooLate(watch_, sleeps, {}));
+  context_.depth = 50;
+  tick(200, 219.5);
+  ASSERT_TRUE(tooLate(watch_, sleeps, {}));
+  EXPECT_EQ(tooLate(watch_, sleeps, {})->late_s, 19.5);
+  EXPECT_FALSE(tooLate(watch_, missionWith(""), {})) << "it never sleeps";
+  const SensorFault depth{.name = "m_depth"}, cycles{.name = "m_cycle_number"};
+  EXPECT_TRUE(tooLate(watch_, sleeps, std::vector{depth}));
+  EXPECT_FALSE(tooLate(watch_, sleeps, std::vector{depth, cycles})) << "nothing is known";
 }
 
 }  // namespace

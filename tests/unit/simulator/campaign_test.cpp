@@ -241,6 +241,18 @@ TEST(Promises, OfFaultsThatComeTogetherAreTheWeaker) {
   EXPECT_EQ(deepestAllowed(Deepest::OneAndAHalf, 60), 90);
 }
 
+TEST(Promises, FaultsOfTheWaterAndTheSensorsLeaveTheSbc) {
+  for (const FaultKind kind :
+       {FaultKind::None, FaultKind::LeftOver, FaultKind::SensorFrozen, FaultKind::ShallowWater}) {
+    EXPECT_TRUE(leavesTheSbc(kind)) << nameOf(kind);
+  }
+  for (const FaultKind kind :
+       {FaultKind::ByteLoss, FaultKind::LineCut, FaultKind::Power, FaultKind::FlightRestart,
+        FaultKind::FlightAbort, FaultKind::Clock, FaultKind::HookSensor, FaultKind::Several}) {
+    EXPECT_FALSE(leavesTheSbc(kind)) << nameOf(kind);
+  }
+}
+
 TEST(StatedTimes, AreThoseOfTheWatchdogs) {
   Faults faults;
   faults.power = {{100, 200}};

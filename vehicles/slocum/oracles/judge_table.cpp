@@ -3,6 +3,7 @@
 
 #include "vehicles/slocum/oracles/judge_table.h"
 
+#include "hooks/protocol/nap_times.h"
 #include "simulator/campaign/judge_id.h"
 #include "vehicles/slocum/oracles/judge_limits.h"
 #include "vehicles/slocum/oracles/names.h"
@@ -14,6 +15,8 @@ namespace glider::slocum::oracles {
 using namespace limits;
 
 namespace {
+
+constexpr int kCycleSecs = 4;  // of the platform
 
 // size: a row for each check
 std::string allowedBy(JudgeId judge) {
@@ -89,9 +92,11 @@ std::string allowedBy(JudgeId judge) {
           "{:.0f} min; not if the depth had jumped and no CTD has agreed with it since",
           kAtSurfaceSecs, kLongSecs / 3600, 100 * kSurfaceShare, kTakesHoldSecs, kRightSecs / 60);
     case JudgeId::Naps:
-      return "an SBC that sleeps and changes its command, or the mission's state, more than 19 s "
-             "after the tick that decides it, unless a fault is of the line, a computer or a "
-             "sensor that the mission does not read, or control was taken away";
+      return fmt::format(
+          "an SBC that sleeps and changes its command, or the mission's state, more than {} s "
+          "after the tick that decides it, unless a fault is of the line, a computer or a "
+          "sensor that the mission does not read, or control was taken away",
+          kHookMostWakeSecs + kHookReplaySecs + kCycleSecs);
     case JudgeId::Ending:
       return "a flight that does not end in time, ends under water, or without the exit of the "
              "mission "

@@ -97,6 +97,26 @@ TEST(EnergyBound, OfAYoIsThatOfItsCycle) {
   }
 }
 
+/// Where a yo turns and the command comes late, hookbeh hovers meanwhile: by a port, but not after
+/// a nap, from which the SBC is woken before.
+TEST(EnergyBound, ALateCommandAtATurnTakesStrokesButNotAfterANap) {
+  constexpr double kLate_s = 15;
+  const auto wattsWith = [](const std::string& line, double late_s) {
+    const auto compiled = compiler::compileText(
+        "test.mission",
+        "mission test\n" + line +
+            stateText("fly", "yo(5 m, 100 m, 26 deg, 26 deg)", "    case temp > 30 degC exit\n"));
+    platforms::Platform vehicle = slocum();
+    vehicle.world.command_delay_s = late_s;
+    return ir::prove::energyBoundOf(compiled->checked->mission(), vehicle, platforms::BoardPower{},
+                                    ir::prove::Parameters::AsWritten)
+        ->watts;
+  };
+  const double at_once = wattsWith("", 0);
+  EXPECT_GT(wattsWith("", kLate_s), at_once * 1.1);
+  EXPECT_NEAR(wattsWith("nap at most 4 min\n", kLate_s), at_once, 1e-9);
+}
+
 TEST(EnergyBound, UntilTheEndIsThatOfTheTime) {
   const std::string yo = "yo(5 m, 40 m, 26 deg, 26 deg)";
   const EnergyBound bound =

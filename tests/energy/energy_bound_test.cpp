@@ -105,7 +105,7 @@ TEST(EnergyBound, ALateCommandAtATurnTakesStrokesButNotAfterANap) {
     const auto compiled = compiler::compileText(
         "test.mission",
         "mission test\n" + line +
-            stateText("fly", "yo(5 m, 100 m, 26 deg, 26 deg)", "    case temp > 30 degC exit\n"));
+            stateText("fly", "yo(10 m, 100 m, 26 deg, 26 deg)", "    case temp > 30 degC exit\n"));
     platforms::Platform vehicle = slocum();
     vehicle.world.command_delay_s = late_s;
     return ir::prove::energyBoundOf(compiled->checked->mission(), vehicle, platforms::BoardPower{},

@@ -13,6 +13,7 @@
 #include "driver/output/executable.h"
 #include "driver/output/overwritten.h"
 #include "driver/output/symbols.h"
+#include "driver/output/validation.h"
 #include "driver/shared_options.h"
 #include "driver/slocum/port_folder.h"
 #include "driver/terminal.h"
@@ -53,19 +54,23 @@ constexpr codegen::Product kChc{
 constexpr const codegen::Product* kOfTheFrontEnd[] = {&kSyntaxTree, &kSymbols, &kChc};
 
 constexpr const char* kPortDialect = "extctl";
+constexpr const char* kExecutable = "exe";
+/// Above, mission and runtime are optimised as one program.
+constexpr unsigned kMostValidatedLevel = 2;
 
 struct BuildOptions {
   bool strict = false;  ///< warnings are errors
   std::string mission;
   std::string target = kUsualTarget;
-  std::string emit = "exe";
+  std::string emit = kExecutable;
   unsigned level = kUsualLevel;
   std::vector<std::string> print_after;
   std::vector<std::string> user_code;
   std::string output;
   std::string dialect = "hooks";
-  PortOptions port;  ///< of dialect extctl
-  std::string at;    ///< of the symbols: `LINE:COLUMN`; empty: all
+  PortOptions port;       ///< of dialect extctl
+  bool validate = false;  ///< the code is compared with the mission
+  std::string at;         ///< of the symbols: `LINE:COLUMN`; empty: all
 };
 
 /// What `--emit` can name; with a `board`, for that board only.
@@ -158,6 +163,11 @@ support::Result<void> buildProduct(const codegen::Product& product, const BuildO
   if (!options.port.ignore_limits) {
     how.accepts = analysis::onlyWhatFits(board, mission);
   }
+  if (options.validate) {
+    how.validated = [&](const codegen::Validation& validation) {
+      return reportValidation(validation, board.name, options.strict);
+    };
+  }
   return writeProduct(product, options, mission.input(), board, how);
 }
 
@@ -249,6 +259,19 @@ int build(BuildOptions options) {
 
 namespace {
 
+/// Only a program is compared, and not one that is optimised together with the runtime.
+void checkValidate(const BuildOptions& options) {
+  if (!options.validate) {
+    return;
+  }
+  if (options.emit != kExecutable || options.dialect == kPortDialect) {
+    throw CLI::ValidationError("--validate", "is for programs that speak to the hooks only");
+  }
+  if (options.level > kMostValidatedLevel) {
+    throw CLI::ValidationError("--validate", "is for -O 0 to 2 only");
+  }
+}
+
 /// What the vehicle speaks to the SBC.
 void addDialectOptions(CLI::App& command, BuildOptions& options) {
   CLI::Option* dialect =
@@ -320,6 +343,9 @@ void addBuildCommand(CLI::App& app, int& status) {
       ->option_text("PASS ...");
   command->add_flag("--ignore-limits", options->port.ignore_limits,
                     "Build it even if it may need more than the board has (GL4013)");
+  command->add_flag("--validate", options->validate,
+                    "Prove that the code does in every tick what MISSION says, whatever is read; "
+                    "write nothing if it does not");
   command->add_flag("--strict", options->strict,
                     "Exit with 1 also for warnings, and write nothing then");
   addLinkOption(*command, options->user_code);
@@ -335,6 +361,7 @@ void addBuildCommand(CLI::App& app, int& status) {
     if (!options->at.empty() && options->emit != kSymbols.name) {
       throw CLI::ValidationError("--at", "is for --emit symbols only");
     }
+    checkValidate(*options);
     status = build(*options);
   });
 }

@@ -12,6 +12,7 @@
 #include "codegen/llvm/program/program.h"
 #include "codegen/llvm/program/recon_mission.h"
 #include "codegen/llvm/program/talk_constant.h"
+#include "codegen/llvm/validate/validate.h"
 #include "codegen/seat_mission.h"
 #include "codegen/talk_mission.h"
 #include "ir/core/parameter_info.h"
@@ -21,6 +22,7 @@
 
 #include <algorithm>
 #include <future>
+#include <iterator>
 #include <utility>
 
 namespace glider::codegen {
@@ -141,9 +143,14 @@ Result<void> bringTogether(llvm::Module& module, const Recipe& recipe,
              : Result<void>{};
 }
 
-/// The object of a part.
-Result<std::string> compilePart(const Recipe& recipe, const MissionPart& part,
-                                const std::vector<std::string>& visible) {
+/// A part as it is linked, and how it compares with the mission.
+struct Compiled {
+  std::string object;
+  Validation validation;
+};
+
+Result<Compiled> compilePart(const Recipe& recipe, const MissionPart& part,
+                             const std::vector<std::string>& visible) {
   auto unit = lower(recipe, part);
   if (!unit) {
     return std::unexpected(unit.error());
@@ -157,7 +164,15 @@ Result<std::string> compilePart(const Recipe& recipe, const MissionPart& part,
     return std::unexpected(together.error());
   }
   optimise(*unit->module, *unit->machine, recipe.options.optimisation_level);
-  return emitCode(*unit->module, *unit->machine, llvm::CodeGenFileType::ObjectFile);
+  Result<Validation> validation =
+      recipe.options.validated
+          ? validatePart(recipe.input, part, *unit->module, recipe.board.folder / "inline.bc")
+          : Validation();
+  if (!validation) {
+    return std::unexpected(validation.error());
+  }
+  return Compiled{emitCode(*unit->module, *unit->machine, llvm::CodeGenFileType::ObjectFile),
+                  std::move(*validation)};
 }
 
 }  // namespace
@@ -173,22 +188,29 @@ Result<Program> compileProgram(const Input& input, const Board& board,
   const Recipe recipe{input, board, options, kind};
   const bool whole = options.optimisation_level >= kWholeProgramLevel;
   const auto parts = whole ? std::vector{wholeOf(input.mission)} : partsOf(input.mission);
-  std::vector<std::future<Result<std::string>>> others;
+  std::vector<std::future<Result<Compiled>>> others;
   for (size_t i = 1; i < parts.size(); ++i) {
     others.push_back(
         std::async(std::launch::async, [&, i] { return compilePart(recipe, parts[i], visible); }));
   }
-  std::vector<Result<std::string>> objects;
-  objects.push_back(compilePart(recipe, parts.front(), visible));
+  std::vector<Result<Compiled>> compiled;
+  compiled.push_back(compilePart(recipe, parts.front(), visible));
   for (auto& other : others) {
-    objects.push_back(other.get());
+    compiled.push_back(other.get());
   }
   Program program{{}, options.further_inputs};
-  for (Result<std::string>& object : objects) {
-    if (!object) {
-      return std::unexpected(object.error());
+  Validation validation;
+  for (Result<Compiled>& one : compiled) {
+    if (!one) {
+      return std::unexpected(one.error());
     }
-    program.objects.push_back(std::move(*object));
+    program.objects.push_back(std::move(one->object));
+    std::ranges::move(one->validation, std::back_inserter(validation));
+  }
+  if (options.validated) {
+    if (auto accepted = options.validated(validation); !accepted) {
+      return std::unexpected(accepted.error());
+    }
   }
   if (!whole) {
     program.further_inputs.push_back(board.folder / "runtime.o");

@@ -1,0 +1,191 @@
+// SPDX-FileCopyrightText: 2026 The glidercc authors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "codegen/llvm/validate/validate.h"
+
+#include "codegen/llvm/validate/comparison.h"
+#include "codegen/llvm/validate/mission_functions.h"
+#include "codegen/llvm/validate/tables.h"
+#include "codegen/llvm/validate/undecided.h"
+#include "support/diagnostics/ids/command.h"
+#include "support/files.h"
+
+#include <fmt/format.h>
+#include <llvm/ADT/STLFunctionalExtras.h>
+#include <llvm/Bitcode/BitcodeReader.h>
+#include <llvm/Support/Error.h>
+#include <llvm/Support/MemoryBuffer.h>
+
+#include <memory>
+#include <utility>
+
+namespace glider::codegen {
+namespace {
+
+using validate::fieldOf;
+using validate::Outcome;
+
+/// What a function must do, given its second argument.
+using Meant = llvm::function_ref<Outcome(validate::MissionFunctions&, const z3::expr&)>;
+
+/// Compares the functions of one part, each with terms of its own: those of a large mission would
+/// not fit into memory together.
+class Part {
+ public:
+  Part(const Input& input, const llvm::Module& module, const llvm::Module& short_ones)
+      : mission_(input.mission),
+        module_(module),
+        short_ones_(short_ones),
+        index_(indexMission(input.mission)),
+        types_(makeAbiTypes(module.getContext())) {}
+
+  void function(const std::string& what, const llvm::Constant* code, Meant meant) {
+    const auto* function = llvm::dyn_cast_or_null<llvm::Function>(code);
+    if (function != nullptr && function->isDeclaration()) {
+      return;  // it is in another part
+    }
+    try {
+      found.push_back(compared(what, function, meant));
+    } catch (const validate::Undecided& met) {
+      found.push_back({what, Verdict::Undecided, met.what()});
+    } catch (const z3::exception& trouble) {
+      found.push_back({what, Verdict::Undecided, trouble.msg()});
+    }
+  }
+
+  void profile(uint32_t state, const llvm::Constant* code);
+  void state(uint32_t number);
+  void head(uint32_t stack_depth);
+
+  Validation found;
+
+ private:
+  Validated compared(const std::string& what, const llvm::Function* function, Meant meant) {
+    z3::context z3;
+    validate::Numbers numbers(z3);
+    validate::Places places(mission_, index_, types_, module_.getDataLayout());
+    validate::Moments moments(numbers, places);
+    validate::Code code(moments, module_, short_ones_);
+    validate::MissionFunctions meaning(code, mission_, index_);
+    const z3::expr word = z3.bv_const("word", 32);
+    const Outcome says = meant(meaning, word);
+    return validate::compare(moments, what, says, done(code, function, says, word));
+  }
+
+  /// What the code does. One that is missing does nothing and answers that no case fires.
+  static Outcome done(validate::Code& code, const llvm::Function* function, const Outcome& says,
+                      const z3::expr& word) {
+    validate::Moments& moments = code.moments();
+    if (function == nullptr) {
+      const bool answers = !says.result.is_numeral() || says.result.get_numeral_uint64() != 0;
+      return {moments.word(answers ? GLIDER_NO_CASE : 0), moments.first()};
+    }
+    std::vector<z3::expr> arguments{moments.address(moments.places().object("context"))};
+    if (function->arg_size() > 1) {
+      arguments.push_back(function->getArg(1)->getType()->isPointerTy()
+                              ? moments.address(moments.places().object("nap"))
+                              : word);
+    }
+    return code.run(*function, arguments, moments.first());
+  }
+
+  const ir::Mission& mission_;
+  const llvm::Module& module_;
+  const llvm::Module& short_ones_;
+  MissionIndex index_;
+  AbiTypes types_;
+};
+
+void Part::profile(uint32_t number, const llvm::Constant* code) {
+  const ir::State& state = mission_.states[number];
+  function("the profile of `" + state.name + "`", code, [&](auto& meaning, const z3::expr&) {
+    return meaning.fly(state.profile, index_.memory_blocks[number].profile);
+  });
+}
+
+void Part::state(uint32_t number) {
+  namespace field = field::GliderStateInfo;
+  const ir::State& state = mission_.states[number];
+  const ir::StateId id{number};
+  const std::string name = "`" + state.name + "`";
+  const llvm::GlobalVariable* described = module_.getNamedGlobal("state." + std::to_string(number));
+  if (described == nullptr || !described->hasInitializer()) {
+    found.push_back({"the table of " + name, Verdict::Differs, "it is missing"});
+    return;
+  }
+  const llvm::Constant& table = *described->getInitializer();
+  found.push_back(validate::compareState(mission_, id, table));
+  function("the cases of " + name, fieldOf(table, field::guards),
+           [&](auto& meaning, const z3::expr& word) {
+             return meaning.guards(state.cases, false, word);
+           });
+  function("the actions of " + name, fieldOf(table, field::act),
+           [&](auto& meaning, const z3::expr& word) { return meaning.act(state.cases, word); });
+  function("the entry of " + name, fieldOf(table, field::enter),
+           [&](auto& meaning, const z3::expr& word) { return meaning.enter(id, word); });
+  function("the watches of " + name, fieldOf(table, field::advance),
+           [&](auto& meaning, const z3::expr&) { return meaning.advance(id); });
+  function("the route of " + name, fieldOf(table, field::route),
+           [&](auto& meaning, const z3::expr&) {
+             return meaning.fly(state.route, index_.memory_blocks[number].route);
+           });
+  function("the naps of " + name, fieldOf(table, field::foresee),
+           [&](auto& meaning, const z3::expr&) { return meaning.foresee(id); });
+  profile(number, fieldOf(table, field::profile));
+}
+
+void Part::head(uint32_t stack_depth) {
+  namespace field = field::GliderMission;
+  const llvm::GlobalVariable* described = module_.getNamedGlobal("gliderMission");
+  if (described == nullptr || !described->hasInitializer()) {
+    found.push_back({"the tables of the mission", Verdict::Differs, "they are missing"});
+    return;
+  }
+  const llvm::Constant& table = *described->getInitializer();
+  found.push_back(validate::compareMission(mission_, stack_depth, table));
+  function("the start of the mission", fieldOf(table, field::begin),
+           [](auto& meaning, const z3::expr&) { return meaning.begin(); });
+  function("the watches of `always`", fieldOf(table, field::advance),
+           [](auto& meaning, const z3::expr&) { return meaning.advanceAlways(); });
+  function("the cases of `always`", fieldOf(table, field::guards),
+           [&](auto& meaning, const z3::expr& word) {
+             return meaning.guards(mission_.always, true, word);
+           });
+  function("the actions of `always`", fieldOf(table, field::act),
+           [&](auto& meaning, const z3::expr& word) { return meaning.act(mission_.always, word); });
+  function("the conditions of the parameters", fieldOf(table, field::condition),
+           [](auto& meaning, const z3::expr&) { return meaning.condition(); });
+}
+
+}  // namespace
+
+support::Result<Validation> validatePart(const Input& input, const MissionPart& part,
+                                         const llvm::Module& module,
+                                         const std::filesystem::path& short_ones) {
+  auto bitcode = support::readFile(short_ones.string());
+  if (!bitcode) {
+    return std::unexpected(bitcode.error());
+  }
+  auto runtime = llvm::parseBitcodeFile(llvm::MemoryBufferRef(*bitcode, short_ones.string()),
+                                        module.getContext());
+  if (!runtime) {
+    return support::fail(support::diagnostics::badRuntime, short_ones.string(),
+                         llvm::toString(runtime.takeError()));
+  }
+  Part compared(input, module, **runtime);
+  if (part.head) {
+    compared.head(input.stack_depth);
+  }
+  for (const uint32_t state : part.states) {
+    compared.state(state);
+  }
+  const std::set<uint32_t> states(part.states.begin(), part.states.end());
+  for (const uint32_t state : part.profiles) {
+    if (!states.contains(state)) {
+      compared.profile(state, module.getFunction("profile." + input.mission.states[state].name));
+    }
+  }
+  return std::move(compared.found);
+}
+
+}  // namespace glider::codegen

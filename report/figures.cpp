@@ -269,7 +269,7 @@ double rateBetween(const Trace& trace, size_t bottom, size_t end) {
 
 namespace {
 
-/// Whether the vehicle was told to hover at the bottom and from there on to the next top: not a yo,
+/// Whether a hover was in force at the bottom and at the next top: not a yo,
 /// but how it keeps to the depth.
 bool isSwing(const Trace& trace, const std::vector<TurningPoint>& turns, size_t bottom) {
   constexpr double kHover = 3;  // HookVertical::Hover, which the folder may not include

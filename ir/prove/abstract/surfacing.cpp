@@ -163,8 +163,8 @@ class SurfacingSearch {
 
   /// The timer's case in `always`, where it is not kept from firing.
   [[nodiscard]] TimerCase timerOfAlways(size_t at) const {
-    if (!where_.areExact()) {
-      return timer_->ofAlways(stateAt(at));
+    if (!where_.areExact() || !std::isfinite(timer_->always.longest)) {
+      return timer_->ofAlways(stateAt(at));  // or none is in `always`
     }
     return where_.mayInterrupt(at, timer_->always.number) ? timer_->always : TimerCase{};
   }

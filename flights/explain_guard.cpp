@@ -50,7 +50,7 @@ simulator::GuardText explainGuard(const compiler::Optimised& of, uint32_t list, 
   }
   const ir::ExprId guard = cases[fired_case].guard;
   const support::SourceRange range = mission[guard].range;
-  text.guard = range.valid() ? support::onOneLine(of.sources().text(range)) : "";
+  text.guard = range.valid() ? support::conditionOnOneLine(of.sources().text(range)) : "";
   addSensors(mission, guard, text.sensors);
   return text;
 }

@@ -267,12 +267,26 @@ double rateBetween(const Trace& trace, size_t bottom, size_t end) {
 
 }  // namespace
 
+namespace {
+
+/// Whether a hover was in force at the bottom and at the next top: not a yo,
+/// but how it keeps to the depth.
+bool isSwing(const Trace& trace, const std::vector<TurningPoint>& turns, size_t bottom) {
+  constexpr double kHover = 3;  // HookVertical::Hover, which the folder may not include
+  const int vertical = trace.column("hook_vertical");
+  const auto hovers = [&](size_t row) { return trace.at(row, vertical) == kHover; };
+  return vertical >= 0 && bottom + 1 < turns.size() && hovers(turns[bottom].row) &&
+         hovers(turns[bottom + 1].row);
+}
+
+}  // namespace
+
 std::vector<Yo> yosOf(const Trace& trace) {
   const int depth = depthColumn(trace), time = trace.column("time");
   const std::vector<TurningPoint> turns = turningPoints(trace);
   std::vector<Yo> yos;
   for (size_t i = 0; time >= 0 && i < turns.size(); ++i) {
-    if (!turns[i].at_bottom) {
+    if (!turns[i].at_bottom || isSwing(trace, turns, i)) {
       continue;
     }
     const size_t bottom = turns[i].row;
@@ -348,7 +362,11 @@ FlightFigures flightFigures(const Trace& trace) {
   figures.shallowest_m = depths.least;
   figures.deepest_m = depths.greatest;
   const auto turns = turningPoints(trace);
-  figures.yos = static_cast<size_t>(std::ranges::count_if(turns, &TurningPoint::at_bottom));
+  for (size_t i = 0; i < turns.size(); ++i) {
+    if (turns[i].at_bottom) {
+      ++(isSwing(trace, turns, i) ? figures.swings : figures.yos);
+    }
+  }
   const Range temperatures = rangeOf(trace, trace.column("sci_water_temp"));
   figures.coldest_degC = temperatures.least;
   figures.warmest_degC = temperatures.greatest;

@@ -46,6 +46,7 @@ struct FlightFigures {
   double shallowest_m = 0;
   double deepest_m = 0;
   size_t yos = 0;          ///< dives of at least kYoDepth followed by a climb of at least kYoDepth
+  size_t swings = 0;       ///< the same while a hover was in force: no yos
   double distance_m = 0;   ///< over ground, along the track
   double made_good_m = 0;  ///< straight from the first position to the last, by the same positions
   TrackSource track = TrackSource::None;

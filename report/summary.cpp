@@ -9,9 +9,12 @@
 #include "support/grouped.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
+#include <string>
+#include <vector>
 
 namespace glider::report {
 
@@ -67,10 +70,13 @@ std::string daysText(double days) {
 
 /// A flight may go on after its mission has ended, and hookbeh's guards are not in the bound.
 std::string boundText(const EnergyFigures& energy) {
-  return fmt::format("at most {} Wh until the mission ends{}", support::atMost(energy.atMost_Wh()),
-                     energy.used_Wh > energy.atMost_Wh()
-                         ? "; the flight took more, after its end or by what no bound counts"
-                         : "");
+  const bool beyond = energy.capacity_Wh > 0 && energy.atMost_Wh() > energy.capacity_Wh;
+  return fmt::format(
+      "at most {} Wh until the mission ends{}{}", support::atMost(energy.atMost_Wh()),
+      beyond ? fmt::format(", more than the {:.0f} Wh of a full pack", energy.capacity_Wh) : "",
+      energy.used_Wh > energy.atMost_Wh()
+          ? "; the flight took more, after its end or by what no bound counts"
+          : "");
 }
 
 /// "12.3 Wh used, 0.61 % of the pack; 2208.6 Wh to go (99.4 %), 20 days at this rate".
@@ -113,6 +119,16 @@ std::string consumersText(const EnergyFigures& energy) {
   return text;
 }
 
+/// "10 yos", "3 yos and 18 swings about the depth of a hover".
+std::string yosText(const FlightFigures& figures) {
+  const auto counted = [](size_t count, std::string_view what) {
+    return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
+  };
+  const std::string yos = counted(figures.yos, "yo");
+  const std::string swings = counted(figures.swings, "swing") + " about the depth of a hover";
+  return figures.swings == 0 ? yos : figures.yos == 0 ? swings : yos + " and " + swings;
+}
+
 constexpr std::string_view kSavesNothing = "; it saves nothing: no lower `asleep_W` is given";
 
 std::string figureLines(const FlightFigures& figures) {
@@ -125,8 +141,8 @@ std::string figureLines(const FlightFigures& figures) {
          fmt::format("{} ({:.0f} s)", clockText(figures.duration_s), figures.duration_s));
   }
   if (std::isfinite(figures.deepest_m)) {
-    line("depth", fmt::format("{:.1f} to {:.1f} m, {} yo{}", figures.shallowest_m,
-                              figures.deepest_m, figures.yos, figures.yos == 1 ? "" : "s"));
+    line("depth", fmt::format("{:.1f} to {:.1f} m, {}", figures.shallowest_m, figures.deepest_m,
+                              yosText(figures)));
   }
   if (std::isfinite(figures.distance_m)) {
     line("distance",
@@ -191,6 +207,38 @@ std::string stateLines(const FlightFigures& figures, const Trace& trace) {
   return out;
 }
 
+/// Whether a transition led to the state or from it: it may have been current for one tick only, of
+/// which the trace has no row.
+bool wasLeft(const Trace& trace, const std::string& name) {
+  return std::ranges::any_of(trace.events, [&](const TraceEvent& event) {
+    const bool moved = event.id == EventId::Transition || event.id == EventId::MissionEnds;
+    return moved &&
+           std::ranges::find(event.values, support::EventValue(name)) != event.values.end();
+  });
+}
+
+/// The states of the mission that were never current; empty: all were.
+std::string neverEntered(const FlightFigures& figures, const Trace& trace) {
+  constexpr size_t kNamed = 8;
+  std::vector<std::string> names;
+  for (size_t id = 0; id < trace.state_names.size() && !figures.states.empty(); ++id) {
+    const auto entered = [&](const StateFigures& state) {
+      return state.id == static_cast<double>(id);
+    };
+    if (std::ranges::none_of(figures.states, entered) && !wasLeft(trace, trace.state_names[id])) {
+      names.push_back("`" + plain(trace.state_names[id]) + "`");
+    }
+  }
+  if (names.empty()) {
+    return "";
+  }
+  const size_t left = names.size() - std::min(names.size(), kNamed);
+  names.resize(names.size() - left);
+  return wrapped(fmt::format("  never entered in this flight: {}{}", fmt::join(names, ", "),
+                             left == 0 ? "" : fmt::format(" and {} more", left)),
+                 kWidth, 4);
+}
+
 std::string secondsText(double seconds) {
   return std::isfinite(seconds) ? fmt::format("{:.0f} s", seconds) : "-";
 }
@@ -250,6 +298,7 @@ std::string summarize(const Trace& trace) {
   }
   out += figures.rows == 0 ? "  nothing was recorded\n" : figureLines(figures);
   out += stateLines(figures, trace);
+  out += neverEntered(figures, trace);
   out += eventLines(trace, true);
   out += eventLines(trace, false);
   return out;

@@ -43,6 +43,11 @@ std::string onOneLine(std::string_view text) {
   return printable(out);
 }
 
+std::string conditionOnOneLine(std::string_view text) {
+  std::string line = onOneLine(text);
+  return line == "true" ? "without a condition" : line;
+}
+
 std::string printable(std::string_view text) {
   std::string out(text);
   std::ranges::transform(out, out.begin(), [](char c) {

@@ -12,6 +12,9 @@ namespace glider::support {
 /// space, and `printable`.
 std::string onOneLine(std::string_view text);
 
+/// The condition of a case on one line; of one that is always true, that it has none.
+std::string conditionOnOneLine(std::string_view text);
+
 /// `text` made safe for a terminal: a tab becomes one space, other control characters become '?'.
 /// As long as `text`.
 std::string printable(std::string_view text);

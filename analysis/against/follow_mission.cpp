@@ -174,7 +174,7 @@ class LogFollower {
                                                 : m_[result.state].name;
     step.always = watched_[watched].list == ListKind::Always;
     step.range = fired.range;
-    step.guard = guard.valid() ? support::onOneLine(checked_.sources().text(guard)) : "";
+    step.guard = guard.valid() ? support::conditionOnOneLine(checked_.sources().text(guard)) : "";
     step.values = values_[watched];
     out_.steps.push_back(std::move(step));
   }

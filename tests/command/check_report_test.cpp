@@ -178,6 +178,18 @@ TEST(CheckReport, SaysHowMuchEnergyItTakesAtMost) {
   EXPECT_THAT(linesOf("gallery/thermocline.mission"),
               HasSubstr("\nthe pump may hardly rest in `track`: "));
   const TemporaryFolder folder;
+  const auto deep = folder.write(
+      "deep.mission",
+      "mission deep\npack 168 Ah at 14.4 V reserve 25 %\nstate down\nbegin\n  flightprofile yo(5 "
+      "m, "
+      "80 m)\n  sensors missiontime, depth\n  events\n    case missiontime > 1 h exit\nend\n");
+  const std::string said = runShell("$GLIDERCC check --report --target host " + deep).out;
+  EXPECT_THAT(said,
+              HasSubstr(" of the 2,027 Wh that the pack gives (168 Ah at 12.1 V on average, as "
+                        "the voltage falls from 14.4 V to 10 V; the reserve is a part of it): "));
+  EXPECT_THAT(said,
+              HasSubstr("`down` may command a depth of 80 m: with the mission files that come with "
+                        "glidercc, hookbeh refuses more than 60 m (max_depth in skeleton.mi)"));
   const std::string cold =
       "  flightprofile yo(5 m, 50 m)\n  sensors temp, depth\n  events\n    case temp ";
   const auto soon =

@@ -55,22 +55,37 @@ std::string wholeOf(double seconds) {
              : fmt::format("{:.1f} days", std::floor(seconds / kDay_s * kTenths) / kTenths);
 }
 
-std::string boundLine(const EnergyBound& bound, double pack_j) {
+/// " (168 Ah at 12.1 V on average, as the voltage falls from 14.4 V to 10 V; the reserve is a part
+/// of it)": why the pack that a mission names gives less than its name says. Empty: it names none.
+std::string whyOf(const ir::Mission& mission, const platforms::Power& power) {
+  constexpr double kCoulombsPerAmpereHour = 3600;
+  if (!mission.pack) {
+    return "";
+  }
+  return fmt::format(
+      " ({:.6g} Ah at {:.3g} V on average, as the voltage falls from {:.3g} V to "
+      "{:.3g} V{})",
+      mission.pack->capacity_C / kCoulombsPerAmpereHour,
+      packOf(mission, power) / mission.pack->capacity_C, power.full_V, power.empty_V,
+      mission.pack->reserve > 0 ? "; the reserve is a part of it" : "");
+}
+
+std::string boundLine(const EnergyBound& bound, double pack_j, const std::string& why) {
   const std::string pack =
       support::grouped(static_cast<uint64_t>(std::lround(pack_j / simulator::kJoulesPerWattHour)));
   if (!bound.joules) {
     return fmt::format(
         "by the vehicle's power table the mission takes at most {} W on average "
-        "in a long flight, so a pack that gives {} Wh lasts at least {}: {}",
-        support::atMost(bound.watts), pack, wholeOf((pack_j - bound.start_j) / bound.watts),
+        "in a long flight, so a pack that gives {} Wh{} lasts at least {}: {}",
+        support::atMost(bound.watts), pack, why, wholeOf((pack_j - bound.start_j) / bound.watts),
         sharesOf(bound));
   }
   const double share = *bound.joules / pack_j * 100;
   const std::string percent =
       share < 10 ? fmt::format("{:.2g}", share) : fmt::format("{:.0f}", std::floor(share));
   const std::string of_pack =
-      share < 100 ? fmt::format("{} % of the {} Wh that the pack gives", percent, pack)
-                  : fmt::format("more than the {} Wh that the pack gives", pack);
+      share < 100 ? fmt::format("{} % of the {} Wh that the pack gives{}", percent, pack, why)
+                  : fmt::format("more than the {} Wh that the pack gives{}", pack, why);
   return fmt::format(
       "by the vehicle's power table the mission takes at most {} Wh until it ends, {}: "
       "{}",
@@ -168,7 +183,8 @@ support::Result<void> energy(Run& run) {
     return {};
   }
   run.remark((run.mission().assumptions.empty() ? "" : "under the mission's assumptions, ") +
-             boundLine(*bound, packOf(run.mission(), run.platform().power)) +
+             boundLine(*bound, packOf(run.mission(), run.platform().power),
+                       whyOf(run.mission(), run.platform().power)) +
              (run.mission().shares.empty() ? "" : "; its acoustic modem is not counted"));
   for (std::string line :
        {leastLine(*bound, run.platform().power.board), seaLine(*bound),

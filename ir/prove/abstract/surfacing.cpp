@@ -7,6 +7,7 @@
 #include "ir/prove/abstract/bounds_by_state.h"
 #include "ir/prove/abstract/profile_surfacing.h"
 #include "ir/prove/abstract/state_depths.h"
+#include "ir/prove/abstract/surfacing_places.h"
 #include "ir/prove/abstract/timer_guards.h"
 #include "ir/prove/abstract/timers.h"
 #include "ir/prove/context/commands.h"
@@ -30,6 +31,8 @@ constexpr size_t kMostWork = 4000000;
 constexpr unsigned kMostRaised = 200;
 /// Of a mission with more timers, only the first are tried.
 constexpr size_t kMostTimers = 8;
+/// Of a mission with more configurations, only its states are followed.
+constexpr size_t kMostConfigurations = 300;
 /// One that is raised more often goes to what its timer allows at once.
 constexpr unsigned kSlow = 100;
 
@@ -67,7 +70,8 @@ struct StatePlace {
 
 class SurfacingSearch {
  public:
-  SurfacingSearch(const ProofContext& proof_context, const EndBound& end, double limit)
+  SurfacingSearch(const ProofContext& proof_context, const EndBound& end, double limit,
+                  SurfacingPlaces where)
       : proof_context_(proof_context),
         m_(proof_context.mission),
         end_(end),
@@ -76,20 +80,9 @@ class SurfacingSearch {
         always_{neverPrevented(m_), false},
         depths_(deepestByState(proof_context)),
         count_(m_.states.size()),
-        places_(3 * count_),
-        limits_(greatestLimits(m_)),
-        profiles_(count_),
-        callers_(count_) {
-    for (uint32_t i = 0; i < count_; ++i) {
-      for (const Case& c : m_.states[i].cases) {
-        addCaller(c, i);
-      }
-      for (size_t k = 0; k < m_.always.size(); ++k) {
-        if (mayInterrupt(k, i)) {
-          addCaller(m_.always[k], i);
-        }
-      }
-    }
+        where_(std::move(where)),
+        places_(where_.size()),
+        profiles_(count_) {
     for (const Case& c : m_.always) {
       always_leads_down_ =
           always_leads_down_ || (c.transition == Transition::Stay && tells(c.action));
@@ -108,20 +101,26 @@ class SurfacingSearch {
   }
   /// Before run(): the cases of the timer bound the time too.
   void use(Timer timer) { timer_ = std::move(timer); }
+  /// Before run().
+  void follow(SurfacingPlaces where) {
+    where_ = std::move(where);
+    places_.assign(where_.size(), {});
+  }
 
   /// The longest time under water, s; none: not found, or beyond the limit.
   std::optional<double> run() {
-    raise(entered(0), {0, 0, 0});
+    raise(where_.start(), {0, 0, 0});
     while (!open_.empty()) {
       const size_t at = open_.front();
       open_.pop_front();
       StatePlace& place = places_[at];
       if (!place.followed) {
         place.followed = true;
-        follow(at);
+        followFrom(at);
       }
       longest_ = std::max(longest_, lastOf(at));
-      if (longest_ > limit_ || work_ > kMostWork || place.raised > kMostRaised) {
+      if (longest_ > limit_ || work_ > kMostWork || place.raised > kMostRaised ||
+          (where_.areExact() && where_.size() > kMostConfigurations)) {
         return std::nullopt;
       }
       for (const Way& way : place.ways) {
@@ -135,11 +134,15 @@ class SurfacingSearch {
 
   /// After a bound was found.
   [[nodiscard]] Submersions submersions() const {
-    Submersions all{{}, timer_ ? timer_->since : VariableId{}};
+    Submersions all{{}, timer_ ? timer_->since : VariableId{}, {}};
     for (uint32_t i = 0; i < count_; ++i) {
-      const double timed = timer_ && !timer_->set_under_water[i] ? timer_->longest(i) : kInfinity;
-      all.states.push_back(
-          {submergedAt(entered(i)), submergedAt(resumed(i)), climbs_[i], timed, profiles_[i]});
+      all.states.push_back({{}, {}, climbs_[i], timedIn(i), profiles_[i]});
+    }
+    for (size_t at = 0; at < where_.size(); ++at) {
+      if (where_.isState(at)) {
+        Submersion& one = where_.areExact() ? configurationAt(at, all) : all.states[stateAt(at)];
+        (where_.isAgain(at) ? one.resumed : one.entered) = submergedAt(at);
+      }
     }
     return all;
   }
@@ -155,12 +158,35 @@ class SurfacingSearch {
   }
 
  private:
-  // The places: each state as entered, each state as resumed, and what each state returns to.
-  [[nodiscard]] static size_t entered(size_t state) { return state; }
-  [[nodiscard]] size_t resumed(size_t state) const { return count_ + state; }
-  [[nodiscard]] size_t returning(size_t state) const { return 2 * count_ + state; }
+  [[nodiscard]] uint32_t stateAt(size_t at) const { return where_.stateOf(at); }
+  [[nodiscard]] bool isState(size_t at) const { return where_.isState(at); }
+
+  /// The timer's case in `always`, where it is not kept from firing.
+  [[nodiscard]] TimerCase timerOfAlways(size_t at) const {
+    if (!where_.areExact() || !std::isfinite(timer_->always.longest)) {
+      return timer_->ofAlways(stateAt(at));  // or none is in `always`
+    }
+    return where_.mayInterrupt(at, timer_->always.number) ? timer_->always : TimerCase{};
+  }
+
+  /// See Submersion: of a state, wherever it is current.
+  [[nodiscard]] double timedIn(uint32_t state) const {
+    return timer_ && !timer_->set_under_water[state] ? timer_->longest(state) : kInfinity;
+  }
+
+  /// That of the configuration at a place, which is as its state's if it is new.
+  [[nodiscard]] Submersion& configurationAt(size_t at, Submersions& all) const {
+    const uint32_t state = stateAt(at);
+    const auto [found, is_new] =
+        all.configurations.emplace(configurationOf(where_.controlAt(at)), all.states[state]);
+    if (is_new && timer_ && !timer_->set_under_water[state]) {
+      found->second.timed = std::min(timer_->own[state].longest, timerOfAlways(at).longest);
+    }
+    return found->second;
+  }
 
   void raise(size_t to, const Submerged& since) {
+    places_.resize(std::max(places_.size(), where_.size()));
     StatePlace& place = places_[to];
     const bool first = place.since.longest < 0;
     if (first || since.longest > place.since.longest || since.ahead > place.since.ahead ||
@@ -172,8 +198,6 @@ class SurfacingSearch {
       open_.push_back(to);
     }
   }
-
-  [[nodiscard]] bool isState(size_t at) const { return at < returning(0); }
 
   /// Under water on the last tick before another place.
   [[nodiscard]] double lastOf(size_t at) const {
@@ -187,7 +211,7 @@ class SurfacingSearch {
 
   /// The latest time under water while a state only climbs.
   [[nodiscard]] double endOfClimb(size_t at) const {
-    return sumOf(places_[at].since.begun, climbs_[at % count_]);
+    return sumOf(places_[at].since.begun, climbs_[stateAt(at)]);
   }
 
   /// What is known at the end of a way.
@@ -210,7 +234,7 @@ class SurfacingSearch {
   /// The timer's lead over the last tick at the surface while a place is current.
   [[nodiscard]] double aheadIn(size_t at) const {
     const StatePlace& place = places_[at];
-    const bool raised = timer_ && isState(at) && timer_->set_under_water[at % count_];
+    const bool raised = timer_ && isState(at) && timer_->set_under_water[stateAt(at)];
     return raised ? std::max(place.since.ahead, lastOf(at)) : place.since.ahead;
   }
 
@@ -218,7 +242,7 @@ class SurfacingSearch {
   /// the timer's cases of the state allow: on the tick before, and on this one if they come first,
   /// they were not true.
   [[nodiscard]] double latestByTimer(size_t at, const std::optional<CaseAt>& by) const {
-    const size_t state = at % count_;
+    const size_t state = stateAt(at);
     if (!timer_ || timer_->set_under_water[state]) {
       return kInfinity;
     }
@@ -231,8 +255,8 @@ class SurfacingSearch {
       return may_be_first || !tried ? std::max(latest, at_once) : latest;
     };
     const TimerCase& own = timer_->own[state];
-    const TimerCase always = timer_->ofAlways(static_cast<uint32_t>(state));
-    const bool again = at >= resumed(0);  // then its own cases come first on the first tick
+    const TimerCase always = timerOfAlways(at);
+    const bool again = where_.isAgain(at);  // then its own cases come first on the first tick
     return std::min(bound(own, by && !by->always && by->number > own.number, false),
                     bound(always, by && (!by->always || by->number > always.number),
                           again && by && !by->always));
@@ -243,15 +267,15 @@ class SurfacingSearch {
     return {since.longest, since.longest < 0 ? since.ahead : aheadIn(at), since.begun};
   }
 
-  void follow(size_t at) {
-    if (at >= returning(0)) {
-      for (const uint32_t caller : callers_[at - returning(0)]) {
-        Way way{resumed(caller)};
-        way.climbs_on = goesOn(way.to);
-        places_[at].ways.push_back(way);
-      }
-    } else {
+  void followFrom(size_t at) {
+    if (isState(at)) {
       followState(at);
+      return;
+    }
+    for (const size_t to : where_.goingOn(at)) {
+      Way way{to};
+      way.climbs_on = goesOn(to);
+      places_[at].ways.push_back(way);
     }
   }
 
@@ -283,8 +307,8 @@ class SurfacingSearch {
   }
 
   void followState(size_t at) {
-    const bool again = at >= resumed(0);
-    const auto number = static_cast<uint32_t>(at % count_);
+    const bool again = where_.isAgain(at);
+    const uint32_t number = stateAt(at);
     const State& state = m_.states[number];
     StatePlace& place = places_[at];
     Interruptions always = always_;
@@ -295,18 +319,20 @@ class SurfacingSearch {
     place.by = end_.by ? end_.left_by[number] : kGreatestNumber;
     place.stays = std::min({stay.by, climb, profiles_[number].longest});
     for (size_t i = 0; i < state.cases.size(); ++i) {
-      leave(place, {false, i}, number, again, std::min(stay.latest[i], place.by), climb);
+      leave(at, {false, i}, std::min(stay.latest[i], place.by), climb);
     }
     for (size_t i = 0; i < m_.always.size(); ++i) {
-      if (mayInterrupt(i, number) && stay.interrupted >= 0) {
-        leave(place, {true, i}, number, again, std::min(stay.interrupted, place.by), climb);
+      if (where_.mayInterrupt(at, i) && stay.interrupted >= 0) {
+        leave(at, {true, i}, std::min(stay.interrupted, place.by), climb);
       }
     }
   }
 
   /// The way of a case that does not fire later than `latest` after the state became current.
-  void leave(StatePlace& place, const CaseAt& by, uint32_t state, bool again, double latest,
-             double climb) {
+  void leave(size_t at, const CaseAt& by, double latest, double climb) {
+    StatePlace& place = places_[at];
+    const uint32_t state = stateAt(at);
+    const bool again = where_.isAgain(at);
     const Case& c = by.always ? m_.always[by.number] : m_.states[state].cases[by.number];
     if (c.transition == Transition::Stay || c.transition == Transition::Exit) {
       return;
@@ -326,15 +352,17 @@ class SurfacingSearch {
     const double under = std::min(latest, climb);
     const bool surfaced = !mayBeTrue({0, std::min(under, kGreatestNumber), false}, underWater());
     const bool sets_timer = timer_ && sets(m_, c.action, timer_->since);
-    const size_t to =
-        c.transition == Transition::Return ? returning(state) : entered(c.target.index);
+    const auto to = where_.ledTo(at, by.always ? ListKind::Always : ListKind::State, by.number);
+    if (!to) {
+      return;
+    }
     // A profile that surfaces by itself has done so if the case is not true before.
     const double by_profile = profiles_[state].longest;
     const bool surfaced_before =
         by_profile < under && !mayBeTrue({0, by_profile, false}, std::nullopt);
-    const bool climbs_on = std::isfinite(climb) && !tells(c.action) && goesOn(to);
+    const bool climbs_on = std::isfinite(climb) && !tells(c.action) && goesOn(*to);
     place.ways.push_back(
-        {to, surfaced, surfaced_before, std::min(under, by_profile), by, sets_timer, climbs_on});
+        {*to, surfaced, surfaced_before, std::min(under, by_profile), by, sets_timer, climbs_on});
   }
 
   /// Whether a climb to the surface goes on as a place becomes current: nothing else about depth is
@@ -343,7 +371,7 @@ class SurfacingSearch {
     if (!isState(to)) {
       return true;
     }
-    const State& state = m_.states[to % count_];
+    const State& state = m_.states[stateAt(to)];
     bool only_surface = true;
     for (const BlockId entry : {state.entry, state.route.entry, state.profile.entry}) {
       forEachStatement(m_, entry, [&](const Statement& s) {
@@ -351,18 +379,6 @@ class SurfacingSearch {
       });
     }
     return only_surface;
-  }
-
-  /// Whether a case of `always` may fire while the state is current.
-  [[nodiscard]] bool mayInterrupt(size_t number, uint32_t state) const {
-    const StateId target = m_.always[number].target;
-    return number < limits_[state] && !(target.valid() && target.index == state);
-  }
-
-  void addCaller(const Case& c, uint32_t state) {
-    if (c.transition == Transition::Call) {
-      callers_[c.target.index].push_back(state);
-    }
   }
 
   /// Where the vehicle is deeper than the surface.
@@ -387,10 +403,9 @@ class SurfacingSearch {
   Interruptions always_;
   std::vector<double> depths_;
   size_t count_;
-  std::vector<StatePlace> places_;
-  std::vector<size_t> limits_;              ///< of each state
+  SurfacingPlaces where_;
+  std::deque<StatePlace> places_;           ///< a deque: references to them stay valid as it grows
   std::vector<ProfileSurfacing> profiles_;  ///< of each state
-  std::vector<std::vector<uint32_t>> callers_;
   bool always_leads_down_ = false;
   std::vector<double> climbs_;  ///< of each state: from then on every tick is at the surface, s
   std::deque<size_t> open_;
@@ -403,7 +418,8 @@ struct Found {
   Submersions submersions;
 };
 
-/// The least bound, without a timer or with one of the mission's.
+/// The least bound, without a timer or with one of the mission's; from its states, or from its
+/// configurations if that gives less.
 Found leastOf(const ProofContext& proof_context, const EndBound& end, double limit) {
   Found least;
   const auto attempt = [&](SurfacingSearch search) {
@@ -412,16 +428,22 @@ Found leastOf(const ProofContext& proof_context, const EndBound& end, double lim
       least = {*longest, search.submersions()};
     }
   };
-  SurfacingSearch plain(proof_context, end, limit);
+  const Mission& m = proof_context.mission;
+  SurfacingSearch plain(proof_context, end, limit, SurfacingPlaces::ofStates(m));
   plain.findProfiles();
-  attempt(plain);
   std::vector<Timer> timers = plain.timers();
   timers.resize(std::min(timers.size(), kMostTimers), Timer{});
-  for (Timer& timer : timers) {
-    SurfacingSearch timed = plain;
-    timed.use(std::move(timer));
-    attempt(std::move(timed));
-  }
+  const auto attemptAll = [&] {
+    attempt(plain);
+    for (const Timer& timer : timers) {
+      SurfacingSearch timed = plain;
+      timed.use(timer);
+      attempt(std::move(timed));
+    }
+  };
+  attemptAll();
+  plain.follow(SurfacingPlaces::ofConfigurations(m));
+  attemptAll();
   return least;
 }
 
@@ -435,7 +457,15 @@ std::optional<double> longestSubmersion(const ProofContext& proof_context, const
 
 std::vector<double> climbTimes(const ProofContext& proof_context) {
   const EndBound none;
-  return SurfacingSearch(proof_context, none, kLongestMission).climbs();
+  return SurfacingSearch(proof_context, none, kLongestMission,
+                         SurfacingPlaces::ofStates(proof_context.mission))
+      .climbs();
+}
+
+Submersion Submersions::of(certify::Configuration at) const {
+  at.just_returned = false;
+  const auto found = configurations.find(at);
+  return found == configurations.end() ? states[at.state.index] : found->second;
 }
 
 Submersions submersionsOf(const ProofContext& proof_context, const EndBound& end) {

@@ -5,8 +5,10 @@
 
 #include "ir/prove/abstract/end_bound.h"
 #include "ir/prove/abstract/profile_surfacing.h"
+#include "ir/prove/context/control.h"
 
 #include <limits>
+#include <map>
 #include <optional>
 #include <vector>
 
@@ -34,8 +36,7 @@ namespace glider::ir::prove {
 /// So does a profile that comes to the surface by itself (profile_surfacing.h), while its state is
 /// current.
 ///
-/// Stacks are not followed: a `return` leads to every state that may wait for it, and a case of
-/// `always` may fire in every state but its target and those whose greatestLimits exclude it.
+/// Stacks are not followed at first, then they are, if there are not too many (SurfacingPlaces).
 std::optional<double> longestSubmersion(const ProofContext& proof_context, const EndBound& end,
                                         double limit);
 
@@ -58,6 +59,12 @@ struct Submersion {
 struct Submersions {
   std::vector<Submersion> states;  ///< empty if no bound is found
   VariableId timer;                ///< invalid: none
+  /// What it rests on if stacks were followed; empty: they were not. In one that is not listed no
+  /// trace can be.
+  std::map<certify::Configuration, Submersion> configurations;
+
+  /// That of a configuration.
+  [[nodiscard]] Submersion of(certify::Configuration at) const;
 };
 
 /// What longestSubmersion rests on.

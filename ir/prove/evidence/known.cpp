@@ -140,7 +140,7 @@ std::string Known::surfacedIn(const certify::Configuration& at) const {
     return parts.all();
   }
   parts.add(climbIn(at));
-  const Submersion& state = submersions_.states[at.state.index];
+  const Submersion state = submersions_.of(at);
   const bool climbs = std::isfinite(state.climb);
   std::vector<std::string> ways;
   if (state.entered.longest >= 0 && !at.just_returned) {

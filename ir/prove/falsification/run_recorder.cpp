@@ -198,10 +198,15 @@ void RunRecorder::tell(const TickResult& result, double time) {
                                                           : "ends the mission";
   const std::string from = always ? fmt::format("`always`, in `{}`,", m_[last_.state].name)
                                   : fmt::format("`{}`", m_[last_.state].name);
+  // It may follow the start so closely that its time reads as that of the start.
+  const std::string seconds = fmt::format("{:.6g}", time);
+  const std::string when = seconds == "0" && result_.ticks.size() == 1
+                               ? "on the first tick after the start"
+                               : fmt::format("at {} s", seconds);
   const std::string text =
       c.transition == Transition::Exit
-          ? fmt::format("at {:.6g} s {} {}", time, from, verb)
-          : fmt::format("at {:.6g} s {} {} `{}`", time, from, verb, m_[result.state].name);
+          ? fmt::format("{} {} {}", when, from, verb)
+          : fmt::format("{} {} {} `{}`", when, from, verb, m_[result.state].name);
   result_.story.push_back({c.range, time, text});
 }
 

@@ -44,6 +44,11 @@ void notePutOff(support::DiagnosticBuilder& warning, const Requirement& requirem
 /// Names variables of the mission that are counted without a limit.
 void noteUnlimitedCounts(support::DiagnosticBuilder& warning, const ProofContext& proof_context);
 
+/// For a promise of traces where the time of day decides: why a search does not know that it goes
+/// on.
+void noteCalendar(support::DiagnosticBuilder& warning, const Requirement& requirement,
+                  const ProofContext& proof_context);
+
 /// Names each statement that sets a time of the mission's own to `missiontime` as a state begins:
 /// what happens within a time is proved from such a time only if a case sets it.
 void noteTimersOfEntries(support::DiagnosticBuilder& warning, const ProofContext& proof_context);
@@ -52,6 +57,11 @@ void noteTimersOfEntries(support::DiagnosticBuilder& warning, const ProofContext
 /// it would be proved, or which case leaves the state too early.
 void noteSlowClimb(support::DiagnosticBuilder& warning, const Requirement& requirement,
                    const ProofContext& proof_context);
+
+/// Of a `surfaces every`: names a case of `always` with a timer of the mission with which it would
+/// be proved, if that case came before those that lead to other states.
+void noteTimerBelow(support::DiagnosticBuilder& warning, const Requirement& requirement,
+                    const ProofContext& proof_context);
 
 /// Names, of each state that commands the surface, a case that may lead on under water before the
 /// slowest climb of the environment model is over.

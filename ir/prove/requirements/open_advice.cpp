@@ -9,6 +9,7 @@
 #include "ir/prove/abstract/puts_off.h"
 #include "ir/prove/context/duration_text.h"
 #include "ir/prove/context/sensors_read.h"
+#include "ir/prove/context/vehicle_clock.h"
 #include "ir/prove/evidence/configurations.h"
 #include "ir/prove/requirements/advice.h"
 #include "ir/verify/value_text.h"
@@ -164,6 +165,35 @@ void noteUnlimitedCounts(support::DiagnosticBuilder& warning, const ProofContext
         fmt::format("`{}` is counted without a limit, and few proofs succeed then: give it "
                     "a range {}",
                     m[counts[i]].name, limitFor(m[counts[i]])));
+  }
+}
+
+/// A promise about what follows in time, where the time of day decides.
+void noteCalendar(support::DiagnosticBuilder& warning, const Requirement& requirement,
+                  const ProofContext& proof_context) {
+  const Mission& m = proof_context.mission;
+  const auto readsIt = [&](ExprId root) {
+    return std::ranges::any_of(sensorsOf(m, root), [&](uint32_t sensor) {
+      return isCalendarClock(proof_context.platformSensor({sensor}));
+    });
+  };
+  if (!requirement.monitor.step.valid()) {
+    return;
+  }
+  const auto waits = [&](const Case& c) { return readsIt(c.guard); };
+  bool reads = std::ranges::any_of(m.always, waits) ||
+               std::ranges::any_of(m.states, [&](const State& state) {
+                 return std::ranges::any_of(state.cases, waits);
+               });
+  forEachStatement(m, requirement.monitor.step,
+                   [&](const Statement& s) { reads = reads || readsIt(s.value); });
+  if (reads) {
+    warning.note(
+        requirement.range,
+        "a proof lets the vehicle's clock of the calendar show any time on any tick, so it "
+        "does not know that a time of day comes: require what holds on one tick, as in "
+        "`require never day && timeofday < 11 h && statetime > 0 s`, or let the cases wait "
+        "by `missiontime` or `statetime` too");
   }
 }
 

@@ -111,6 +111,19 @@ std::optional<Counterexample> tryForLong(const Requirement& requirement,
                             : std::nullopt;
 }
 
+std::optional<Counterexample> tryForHours(const Requirement& requirement,
+                                          const ProofContext& proof_context,
+                                          StrategyContext& context) {
+  const double time = std::max(requirement.seconds, requirement.monitor.horizon_s);
+  if (time <= 0 || 4 * time > kLongFlight) {
+    return std::nullopt;
+  }
+  auto run = fly(trialsOf(requirement, context, kLongFlight, /*sparse=*/false), requirement,
+                 proof_context, context, 0);
+  return run ? std::optional(simplest(*std::move(run), requirement, proof_context, context))
+             : std::nullopt;
+}
+
 Counterexample simplest(Counterexample found, const Requirement& requirement,
                         const ProofContext& proof_context, StrategyContext& context) {
   if (requirement.kind == RequirementKind::ExitWithin ||

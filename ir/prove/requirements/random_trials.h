@@ -23,6 +23,12 @@ std::optional<Counterexample> tryForLong(const Requirement& requirement,
                                          const ProofContext& proof_context,
                                          StrategyContext& context);
 
+/// The same by flights of hours, of a requirement that is seen broken within less: what a case
+/// above undoes may take long to come about. None is tried if the others are nearly as long.
+std::optional<Counterexample> tryForHours(const Requirement& requirement,
+                                          const ProofContext& proof_context,
+                                          StrategyContext& context);
+
 /// `found`, a violation of `requirement` (Reach: how it is satisfied), or one with fewer
 /// transitions, or as many in less time, if random flights that are no longer find one soon.
 Counterexample simplest(Counterexample found, const Requirement& requirement,

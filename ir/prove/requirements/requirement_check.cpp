@@ -70,6 +70,9 @@ void RequirementCheck::run() {
   for (const uint32_t i : searchOrder(waiting(), context_.mission.requirements)) {
     searchLonger(judged_[i]);
   }
+  for (const uint32_t i : searchOrder(waiting(), context_.mission.requirements)) {
+    flyForHours(judged_[i]);
+  }
   for (Judged& judged : judged_) {
     settle(judged);
     addPremises(judged);
@@ -152,13 +155,40 @@ void RequirementCheck::searchLonger(Judged& judged) {
   Attempt attempt{judged.verdict.requirement, requirementOf(judged)};
   attempt.reason = judged.verdict.reason;
   if (judgeBy(strategy::otherLemmas(), attempt, judged) ||
-      judgeBy(strategy::allTraces(), attempt, judged)) {
+      judgeBy(strategy::allTraces(), attempt, judged) ||
+      judgeBy(strategy::counted(), attempt, judged)) {
     judged.verdict.searched = true;
     learn(judged);
   }
   context_.search_effort = effort;
   // What was cut short hangs on what was searched for before.
   judged.verdict.searched &= !context_.proof.searches.isUsedUp();
+}
+
+/// At last, as nothing is searched for after it. Without power cuts first: such a flight is easier
+/// to understand.
+void RequirementCheck::flyForHours(Judged& judged) {
+  const Requirement& requirement = requirementOf(judged);
+  if (judged.verdict.verdict != Verdict::Open || !isPromiseOfTraces(requirement) ||
+      context_.proof.searches.isUsedUp()) {
+    return;
+  }
+  context_.flown = {};
+  const ProofContext& proof_context = context_.proof.proof_context;
+  auto run = tryForHours(requirement, proof_context.withoutPowerCuts(), context_);
+  if (!run && context_.powerCutsMatter()) {
+    run = tryForHours(requirement, proof_context, context_);
+  }
+  if (run) {
+    const uint32_t number = judged.verdict.requirement;
+    judged.verdict = refutedBy(*std::move(run), requirement, context_);
+    judged.verdict.requirement = number;
+    judged.by = &strategy::randomFlights();
+  } else if (!context_.flown.empty()) {
+    judged.verdict.reason +=
+        fmt::format(", nor did {} more of up to {}", context_.flown.front().count,
+                    support::durationText(std::round(context_.flown.front().span_s)));
+  }
 }
 
 /// By what other requirements have told, if they were proved after the first look.
@@ -215,6 +245,7 @@ void RequirementCheck::settle(Judged& judged) {
   const ProofContext& proof_context = context_.proof.proof_context;
   if (requirement.kind == RequirementKind::SurfacesEvery) {
     noteEarlyLeaves(warning, proof_context);
+    noteTimerBelow(warning, requirement, proof_context);
   } else if (requirement.seconds > 0) {
     noteLateEnd(warning, requirement, proof_context);
   }
@@ -226,6 +257,7 @@ void RequirementCheck::settle(Judged& judged) {
   noteFences(warning, requirement, proof_context);
   noteUnlimitedCounts(warning, proof_context);
   noteTimersOfEntries(warning, proof_context);
+  noteCalendar(warning, requirement, proof_context);
 }
 
 /// A flight that reaches a state does so under any assumptions (but see prove()).

@@ -35,6 +35,7 @@ class RequirementCheck {
   [[nodiscard]] std::vector<uint32_t> waiting() const;
   void search(Judged& judged);
   void searchLonger(Judged& judged);
+  void flyForHours(Judged& judged);
   bool judgeAgain(Judged& judged);
   bool judgeBySearch(Attempt& attempt, Judged& judged);
   /// By one strategy, if it serves the requirement.

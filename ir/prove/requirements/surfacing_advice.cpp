@@ -5,8 +5,10 @@
 // to it is over. In: the diagnostic that is being reported, and the mission or the counterexample;
 // out: notes on that diagnostic. Used by `requirements` (GL3111) and violation_report.cpp (GL3110).
 
+#include "ir/core/walk.h"
 #include "ir/prove/abstract/abstract_evaluator.h"
 #include "ir/prove/abstract/bounds_by_state.h"
+#include "ir/prove/abstract/end_bound.h"
 #include "ir/prove/abstract/state_depths.h"
 #include "ir/prove/abstract/surfacing.h"
 #include "ir/prove/abstract/watch_times.h"
@@ -21,6 +23,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <optional>
 #include <string>
 #include <vector>
@@ -135,6 +138,50 @@ void noteEarlyLeaves(support::DiagnosticBuilder& diagnostic, const ProofContext&
       noteEarlyLeave(diagnostic, m.states[i],
                      {depths[i], proof_context.platform.world.surface_depth_m, climbs[i]},
                      proof_context);
+    }
+  }
+}
+
+namespace {
+
+/// Whether a guard compares the mission time with a time that the mission keeps.
+bool asksTimer(const Mission& m, ExprId guard) {
+  const auto has = [&](auto wanted) { return anyIn(m, guard, wanted); };
+  return has([](const Expr& e) { return e.op == Op::MissionTime; }) && has([&](const Expr& e) {
+           return e.op == Op::Variable && m[e.variable].kind == VariableKind::Mission;
+         });
+}
+
+bool surfacesInTime(const Mission& changed, double seconds, const ProofContext& proof_context) {
+  ProofContext context(changed, proof_context.platform);
+  context.tick_gap_s = proof_context.tick_gap_s;
+  const EndBound end = boundOf(context, kLongestMission, Goal::Exit);
+  const auto longest = longestSubmersion(context, end, kLongestMission);
+  return longest && *longest <= seconds;
+}
+
+}  // namespace
+
+void noteTimerBelow(support::DiagnosticBuilder& warning, const Requirement& requirement,
+                    const ProofContext& proof_context) {
+  const Mission& m = proof_context.mission;
+  const auto leads = [](const Case& c) { return c.target.valid(); };
+  const auto first = std::ranges::find_if(m.always, leads) - m.always.begin();
+  for (auto at = first + 1; at < std::ssize(m.always); ++at) {
+    const Case& c = m.always[static_cast<size_t>(at)];
+    if (!leads(c) || !asksTimer(m, c.guard)) {
+      continue;
+    }
+    Mission changed = m;
+    const auto begin = changed.always.begin();
+    std::rotate(begin + first, begin + at, begin + at + 1);
+    if (surfacesInTime(changed, requirement.seconds, proof_context)) {
+      warning.note(m[c.guard].range,
+                   fmt::format("a case above this one may lead away from `{}` before the vehicle "
+                               "is up: put this case above all that lead to another state, and the "
+                               "requirement is proved",
+                               m[c.target].name));
+      return;
     }
   }
 }

@@ -107,13 +107,14 @@ void noteParameters(support::DiagnosticBuilder& error, const Requirement& requir
   const std::vector<double> usual = defaultParameters(mission);
   std::string list;
   size_t number = 0;
-  bool several = false, endless = false;
+  bool several = false, endless = false, conditions = true;
   for (const Variable& variable : mission.variables) {
     if (variable.kind != VariableKind::Parameter || number >= run.parameters.size()) {
       continue;
     }
     if (run.parameters[number] != usual[number]) {
       several = !list.empty();
+      conditions = conditions && variable.type.kind == TypeKind::Bool;
       endless = endless || (variable.type.kind != TypeKind::Bool &&
                             std::max(std::fabs(variable.lowest), std::fabs(variable.highest)) ==
                                 Variable::kEndless);
@@ -125,10 +126,11 @@ void noteParameters(support::DiagnosticBuilder& error, const Requirement& requir
   if (!list.empty()) {
     error.note(requirement.range,
                fmt::format("with {}: {}", list,
-                           endless   ? "give a parameter a range, as in `param bottom: length = "
-                                       "50 m in 10 m .. 80 m`"
-                           : several ? "their ranges allow that"
-                                     : "its range allows that"));
+                           endless      ? "give a parameter a range, as in `param bottom: length = "
+                                          "50 m in 10 m .. 80 m`"
+                           : conditions ? "it may be set before a flight, and must hold then too"
+                           : several    ? "their ranges allow that"
+                                        : "its range allows that"));
   }
 }
 

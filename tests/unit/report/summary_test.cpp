@@ -14,6 +14,7 @@
 namespace glider::report {
 namespace {
 
+using support::makeEvent;
 using support::unlistedEvent;
 using ::testing::HasSubstr;
 
@@ -88,8 +89,34 @@ TEST(Summary, HasTheBoundOfTheEnergyBesideIt) {
   trace.facts.at_most = {{"pump", 12.25}, {"SBC", 30}};
   EXPECT_THAT(summarize(trace),
               HasSubstr("\n    bound      at most 42.3 Wh until the mission ends\n"));
+  trace.battery = {42, 0};
+  EXPECT_THAT(summarize(trace), HasSubstr("at most 42.3 Wh until the mission ends, more than the "
+                                          "42 Wh of a full pack\n"));
+  trace.battery.reset();
   trace.facts.at_most = {{"pump", 4.25}};
   EXPECT_THAT(summarize(trace), HasSubstr("mission ends; the flight took more, after its end"));
+}
+
+TEST(Summary, NamesTheStatesThatWereNeverEntered) {
+  support::Trace trace = smallTrace({{"time", "s"}, {"state", "id"}}, {{0, 1}, {4, 1}});
+  trace.state_names = {"out", "home"};
+  EXPECT_THAT(summarize(trace), HasSubstr("\n  never entered in this flight: `out`\n"));
+  trace.events = {makeEvent(1, support::EventId::Transition, {"out", "home", "goto"})};
+  EXPECT_EQ(summarize(trace).find("never entered"), std::string::npos)
+      << "for a tick, at the start";
+  trace.events = {};
+  trace.state_names = {};
+  EXPECT_EQ(summarize(trace).find("never entered"), std::string::npos);
+}
+
+TEST(Summary, TellsYosFromTheSwingsOfAHover) {
+  const auto flown = [](std::initializer_list<std::vector<double>> rows) {
+    return summarize(smallTrace({{"time", "s"}, {"m_depth", "m"}, {"hook_vertical", ""}}, rows));
+  };
+  EXPECT_THAT(flown({{0, 0, 1}, {9, 23, 3}, {18, 19, 3}, {27, 22, 3}, {36, 0, 4}}),
+              HasSubstr(" m, 1 yo and 1 swing about the depth of a hover\n"));
+  EXPECT_THAT(flown({{0, 0, 1}, {9, 23, 2}, {18, 5, 1}, {27, 22, 2}, {36, 0, 4}}),
+              HasSubstr(" m, 2 yos\n"));
 }
 
 TEST(Summary, SaysInWhichTimeTheEnergyIsKnown) {

@@ -8,7 +8,9 @@
 
 #include "tests/support/command.h"
 #include "vehicles/slocum/mission_files/load.h"
+#include "vehicles/slocum/rules/refused_commands.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -104,6 +106,11 @@ TEST_F(WholeOf, TheSkeletonIsAtTheSurfaceInTheTimeOfTheWayHome) {
   EXPECT_DOUBLE_EQ(after(whole, "an abort (overdepth 70)").seconds(), 120 + 83 / 0.05);
   EXPECT_DOUBLE_EQ(after(whole, "an abort (overtime 43200").seconds(), kClimb);
   EXPECT_EQ(after(whole, "silence of the SBC").by, "behaviour 3 `surface` (start_when 1)");
+}
+
+TEST_F(WholeOf, TheSkeletonAllowsTheDepthThatTheReportNames) {
+  const auto line = fmt::format("b_arg: max_depth(m)        {:.0f}\n", kBundledGreatestDepth_m);
+  EXPECT_NE(shipped("skeleton.mi").find(line), std::string::npos);
 }
 
 /// A yo of so many legs goes on below hookbeh, and then the stack is idle.

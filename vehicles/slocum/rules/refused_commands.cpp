@@ -143,6 +143,19 @@ CommandLimits usualLimits() {
                   args.greatest_pump_cc, args.greatest_battery_in)};
 }
 
+std::optional<std::string> deeperThanBundledLine(const ir::Mission& mission) {
+  const std::vector<Dive> dives = divesOf(mission);
+  const auto deepest = std::ranges::max_element(dives, {}, &Dive::depth_m);
+  if (deepest == dives.end() || deepest->depth_m <= kBundledGreatestDepth_m) {
+    return std::nullopt;
+  }
+  return fmt::format(
+      "{} may command a depth of {:.4g} m: with the mission files that come with "
+      "glidercc, hookbeh refuses more than {:.4g} m (max_depth in skeleton.mi); "
+      "check with yours by --mi",
+      deepest->who, deepest->depth_m, kBundledGreatestDepth_m);
+}
+
 std::vector<Refusal> refusalsOf(const ir::Mission& mission, const CommandLimits& limits) {
   const std::vector<ir::Interval> held = ir::prove::heldIntervals(mission);
   std::vector<Refusal> found;

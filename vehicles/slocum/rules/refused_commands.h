@@ -26,6 +26,10 @@ struct CommandLimits {
 
 /// The limits of pitch, fin, pump and battery that hookbeh uses if its mission file gives none.
 CommandLimits usualLimits();
+/// `max_depth` of the deepest mission file that comes with glidercc, scenarios/skeleton.mi, m.
+inline constexpr double kBundledGreatestDepth_m = 60;
+/// A line for the report if hookbeh would refuse the mission's deepest dive by that file.
+std::optional<std::string> deeperThanBundledLine(const ir::Mission& mission);
 
 /// Commands that hookbeh refuses, for some values of parameters and variables.
 struct Refusal {

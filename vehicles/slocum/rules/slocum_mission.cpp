@@ -125,7 +125,11 @@ class UsualSlocum final : public vehicles::OwnMission {
     return rules::wayHomeLines(world, usualSilence(world.mission));
   }
   [[nodiscard]] std::vector<std::string> refusedLines(const ir::Mission& mission) const override {
-    return rules::refusedLines(mission, usualLimits());
+    std::vector<std::string> lines = rules::refusedLines(mission, usualLimits());
+    if (auto line = rules::deeperThanBundledLine(mission)) {
+      lines.push_back(std::move(*line));
+    }
+    return lines;
   }
 };
 

@@ -92,10 +92,12 @@ size_t alwaysAfterScope(Phrase& phrase) {
     return 0;
   }
   const Lexeme word = phrase.token();
+  const Lexeme colon = *phrase.lexemeBefore();  // without text if scopeWithoutColon has put it
   phrase.reporter()
       .at(word, support::diagnostics::unexpectedToken,
           "what happens there, such as `never` and a condition", "`always`")
-      .hint(fmt::format("write `{}`", neverInstead(phrase, 1, count)));
+      .hint(fmt::format("write `{}{}`", colon.begin == colon.end ? ": " : "",
+                        neverInstead(phrase, 1, count)));
   phrase.put({GliderLexer::NEVER, word.begin, word.end});
   phrase.notAsMeant();
   return 1;

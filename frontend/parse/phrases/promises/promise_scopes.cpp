@@ -110,9 +110,12 @@ size_t scopeWithoutColon(Phrase& phrase) {
   }
   const Lexeme found = phrase.token(count);
   const uint32_t end = phrase.token(count - 1).end;
-  expected(phrase, found, "`:`")
-      .hint(fmt::format("write `require {}: {} …`", phrase.wholeText(0, count), phrase.text(count)))
-      .fix({phrase.source().file, end, end}, ":");
+  if (found.type != GliderLexer::ALWAYS) {  // else alwaysAfterScope says all at once
+    expected(phrase, found, "`:`")
+        .hint(
+            fmt::format("write `require {}: {} …`", phrase.wholeText(0, count), phrase.text(count)))
+        .fix({phrase.source().file, end, end}, ":");
+  }
   for (size_t k = 0; k < count; ++k) {
     phrase.put(phrase.token(k));
   }

@@ -10,6 +10,7 @@
 #include "codegen/llvm/program/compile.h"
 #include "codegen/llvm/program/emit.h"
 #include "codegen/llvm/program/optimise.h"
+#include "codegen/llvm/validate/image.h"
 #include "codegen/talk_mission.h"
 #include "support/diagnostics/ids/target.h"
 #include "support/files.h"
@@ -56,13 +57,22 @@ Result<std::string> linkWhole(const Input& input, const Board& board, const Code
   if (!program) {
     return std::unexpected(program.error());
   }
-  return link({ProgramKind::Executable,
-               program->objects,
-               program->further_inputs,
-               {},
-               wanted,
-               options.last_link},
-              board);
+  const bool compared = static_cast<bool>(options.validated);
+  auto linked = link({ProgramKind::Executable,
+                      program->objects,
+                      program->further_inputs,
+                      {},
+                      wanted || compared,
+                      options.last_link},
+                     board);
+  if (!linked || !compared) {
+    return linked;
+  }
+  program->validation.push_back(compareImage(program->objects, *linked));
+  if (auto accepted = options.validated(program->validation); !accepted) {
+    return std::unexpected(accepted.error());
+  }
+  return wanted ? linked : splitDebug(*linked, "").stripped;
 }
 
 /// Whether what was measured is accepted.
@@ -125,7 +135,9 @@ Result<std::string> emitObject(const Input& input, const Board& board,
 Result<std::string> makeExecutable(const Input& input, const Board& board,
                                    const CodegenOptions& options) {
   if (options.accepts) {
-    const auto fits = accepted(measureExecutable(input, board, options), options);
+    CodegenOptions measured = options;
+    measured.validated = {};
+    const auto fits = accepted(measureExecutable(input, board, measured), options);
     if (!fits) {
       return std::unexpected(fits.error());
     }

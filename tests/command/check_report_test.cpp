@@ -183,7 +183,7 @@ TEST(CheckReport, SaysHowMuchEnergyItTakesAtMost) {
       "mission deep\npack 168 Ah at 14.4 V reserve 25 %\nstate down\nbegin\n  flightprofile yo(5 "
       "m, "
       "80 m)\n  sensors missiontime, depth\n  events\n    case missiontime > 1 h exit\nend\n");
-  const std::string said = runShell("$GLIDERCC check --report --target host " + deep).out;
+  const std::string said = runShell("$GLIDERCC check --report --target host " + deep.string()).out;
   EXPECT_THAT(said,
               HasSubstr(" of the 2,027 Wh that the pack gives (168 Ah at 12.1 V on average, as "
                         "the voltage falls from 14.4 V to 10 V; the reserve is a part of it): "));

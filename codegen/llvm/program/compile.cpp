@@ -198,19 +198,13 @@ Result<Program> compileProgram(const Input& input, const Board& board,
   for (auto& other : others) {
     compiled.push_back(other.get());
   }
-  Program program{{}, options.further_inputs};
-  Validation validation;
+  Program program{{}, options.further_inputs, {}};
   for (Result<Compiled>& one : compiled) {
     if (!one) {
       return std::unexpected(one.error());
     }
     program.objects.push_back(std::move(one->object));
-    std::ranges::move(one->validation, std::back_inserter(validation));
-  }
-  if (options.validated) {
-    if (auto accepted = options.validated(validation); !accepted) {
-      return std::unexpected(accepted.error());
-    }
+    std::ranges::move(one->validation, std::back_inserter(program.validation));
   }
   if (!whole) {
     program.further_inputs.push_back(board.folder / "runtime.o");

@@ -33,6 +33,7 @@ support::Result<Unit> lowerWhole(const Input& input, const platforms::Board& boa
 struct Program {
   std::vector<std::string> objects;
   std::vector<std::filesystem::path> further_inputs;
+  Validation validation;  ///< of the objects; empty unless it is asked for
 };
 
 /// Compiles the mission together with the runtime, as the optimisation level says; `visible` lists

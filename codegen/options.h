@@ -33,7 +33,7 @@ struct CodegenOptions {
   /// Whether a program that needs so much is written; empty: each is. Its failure is that of the
   /// build.
   std::function<support::Result<void>(const Budget&)> accepts = {};
-  /// Is told how the code compares with the mission; its failure is that of the build. Empty: they
+  /// Gets how the code compares with the mission; its failure is that of the build. Empty: they
   /// are not compared. Not at level 3, where mission and runtime are one program.
   std::function<support::Result<void>(const Validation&)> validated = {};
   /// Nothing is linked in this process after this, which makes linking a little faster.

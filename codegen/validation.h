@@ -11,7 +11,7 @@ namespace glider::codegen {
 
 /// How a part of a built mission compares with what the mission means.
 enum class Verdict : uint8_t {
-  Same,     ///< proved, whatever the readings, variables and times are
+  Same,     ///< proved for all readings, variables and times
   Differs,  ///< there are some for which it does something else
   Undecided
 };

@@ -344,7 +344,7 @@ void addBuildCommand(CLI::App& app, int& status) {
   command->add_flag("--ignore-limits", options->port.ignore_limits,
                     "Build it even if it may need more than the board has (GL4013)");
   command->add_flag("--validate", options->validate,
-                    "Prove that the code does in every tick what MISSION says, whatever is read; "
+                    "Prove that the code does in every tick what MISSION says, for all readings; "
                     "write nothing if it does not");
   command->add_flag("--strict", options->strict,
                     "Exit with 1 also for warnings, and write nothing then");

@@ -31,9 +31,10 @@ support::Result<void> reportValidation(const codegen::Validation& validation,
     }
     reportWarning(unknown.error());
   }
-  return printSuccess(fmt::format(
-      "The code for {} does what the mission says: {} of its {} parts are proved to.\n", target,
-      std::ranges::count(validation, Verdict::Same, &Validated::verdict), validation.size()));
+  return printSuccess(
+      fmt::format("{} of {} parts of the code for {} are proved to do what the mission says.\n",
+                  std::ranges::count(validation, Verdict::Same, &Validated::verdict),
+                  validation.size(), target));
 }
 
 }  // namespace glider::driver

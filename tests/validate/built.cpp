@@ -4,6 +4,7 @@
 #include "tests/validate/built.h"
 
 #include "codegen/llvm/lower/lower_mission.h"
+#include "codegen/llvm/program/emit.h"
 #include "codegen/llvm/program/optimise.h"
 #include "codegen/llvm/program/program.h"
 #include "codegen/llvm/target/machine.h"
@@ -27,28 +28,48 @@ T sure(support::Result<T> result) {
   }
 }
 
-}  // namespace
+/// A mission's code, and what it needs.
+struct Built {
+  platforms::Board board;
+  std::unique_ptr<llvm::LLVMContext> context = std::make_unique<llvm::LLVMContext>();
+  std::unique_ptr<llvm::Module> module;
+};
 
-codegen::Validation validate(const codegen::Input& input, const std::string& board_name, int level,
-                             const Change& lowered, const Change& optimised) {
-  const platforms::Board board =
-      sure(platforms::loadBoard(std::filesystem::path(GLIDER_BINARY_DIR) / "share/glidercc/boards" /
-                                board_name / "board.toml"));
-  llvm::LLVMContext context;
-  const auto machine = sure(codegen::makeMachine(board, level, codegen::ProgramKind::Executable));
-  const codegen::MissionPart whole = codegen::wholeOf(input.mission);
-  const auto module = codegen::lowerMission(input, whole, *machine, nullptr, context);
+Built build(const codegen::Input& input, const std::string& board_name, int level,
+            const Change& lowered) {
+  Built built{
+      .board = sure(platforms::loadBoard(std::filesystem::path(GLIDER_BINARY_DIR) /
+                                         "share/glidercc/boards" / board_name / "board.toml")),
+      .module = nullptr};
+  const auto machine =
+      sure(codegen::makeMachine(built.board, level, codegen::ProgramKind::Executable));
+  built.module = codegen::lowerMission(input, codegen::wholeOf(input.mission), *machine, nullptr,
+                                       *built.context);
   if (lowered) {
-    lowered(*module);
+    lowered(*built.module);
   }
   if (level > 1) {
-    sure(codegen::importRuntime(*module, board.folder / "inline.bc"));
+    sure(codegen::importRuntime(*built.module, built.board.folder / "inline.bc"));
   }
-  codegen::optimise(*module, *machine, level);
+  codegen::optimise(*built.module, *machine, level);
+  return built;
+}
+
+}  // namespace
+
+codegen::Validation validate(const codegen::Input& input, const std::string& board, int level,
+                             const Change& lowered, const Change& optimised) {
+  const Built built = build(input, board, level, lowered);
   if (optimised) {
-    optimised(*module);
+    optimised(*built.module);
   }
-  return sure(codegen::validatePart(input, whole, *module, board.folder / "inline.bc"));
+  return sure(codegen::validatePart(input, codegen::wholeOf(input.mission), *built.module,
+                                    built.board.folder / "inline.bc"));
+}
+
+std::string codeOf(const codegen::Input& input, const std::string& board, int level,
+                   const Change& lowered) {
+  return codegen::printModule(*build(input, board, level, lowered).module);
 }
 
 uint64_t setting(const char* name, uint64_t otherwise) {

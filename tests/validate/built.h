@@ -24,6 +24,10 @@ using Change = std::function<void(llvm::Module&)>;
 codegen::Validation validate(const codegen::Input& input, const std::string& board, int level,
                              const Change& lowered = {}, const Change& optimised = {});
 
+/// The same code as text.
+std::string codeOf(const codegen::Input& input, const std::string& board, int level,
+                   const Change& lowered = {});
+
 /// The parts that are not `Same`, a line each; empty: all are.
 std::string whatIsNotSame(const codegen::Validation& validation);
 

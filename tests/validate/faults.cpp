@@ -23,33 +23,29 @@ struct Site {
   std::function<void()> plant;
 };
 
-/// The comparison that differs from `predicate` only where both sides are equal.
-llvm::CmpInst::Predicate neighbour(llvm::CmpInst::Predicate predicate) {
-  return llvm::CmpInst::isFPPredicate(predicate) || llvm::CmpInst::isRelational(predicate)
-             ? llvm::CmpInst::isRelational(predicate)
-                   ? llvm::CmpInst::getFlippedStrictnessPredicate(predicate)
-                   : llvm::CmpInst::getInversePredicate(predicate)
-             : llvm::CmpInst::getInversePredicate(predicate);
-}
-
 void addComparison(llvm::CmpInst& comparison, std::vector<Site>& sites) {
   const auto predicate = comparison.getPredicate();
   sites.push_back({&comparison, "the opposite comparison", [&comparison, predicate] {
                      comparison.setPredicate(llvm::CmpInst::getInversePredicate(predicate));
                    }});
-  if (llvm::CmpInst::isRelational(predicate)) {
-    sites.push_back({&comparison, "a comparison that differs where both are equal",
-                     [&comparison, predicate] { comparison.setPredicate(neighbour(predicate)); }});
+  if (llvm::CmpInst::isStrictPredicate(predicate) ||
+      llvm::CmpInst::isNonStrictPredicate(predicate)) {
+    sites.push_back(
+        {&comparison, "a comparison that differs where both are equal", [&comparison, predicate] {
+           comparison.setPredicate(llvm::CmpInst::getFlippedStrictnessPredicate(predicate));
+         }});
   }
 }
 
 /// Another number where there is a constant.
 void addConstants(Instruction& instruction, std::vector<Site>& sites) {
   const auto* comparison = llvm::dyn_cast<llvm::FCmpInst>(&instruction);
+  const bool of_known =
+      comparison != nullptr && (comparison->getPredicate() == llvm::CmpInst::FCMP_ORD ||
+                                comparison->getPredicate() == llvm::CmpInst::FCMP_UNO);
   if (llvm::isa<llvm::GetElementPtrInst>(instruction) ||
-      llvm::isa<llvm::IntrinsicInst>(instruction) ||
-      (comparison != nullptr && !llvm::CmpInst::isRelational(comparison->getPredicate()) &&
-       !comparison->isEquality())) {  // whether the other side is a number
+      llvm::isa<llvm::IntrinsicInst>(instruction) || llvm::isa<llvm::AllocaInst>(instruction) ||
+      of_known) {
     return;
   }
   for (llvm::Use& operand : instruction.operands()) {

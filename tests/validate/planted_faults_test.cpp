@@ -27,11 +27,18 @@ struct Planted {
   std::string found;
 };
 
-Planted plant(const codegen::Input& input, const char* board, bool in_pass, uint64_t draw) {
+/// Of those before the passes one that reaches the code: lowering also makes what the passes drop.
+Planted plant(const codegen::Input& input, const char* board, bool in_pass,
+              random_missions::Random& random) {
   Planted planted;
+  uint32_t draw = 0;
   const auto change = [&](llvm::Module& module) {
     planted.words = plantFault(module, draw % faultsIn(module));
   };
+  const std::string usual = codeOf(input, board, 2);
+  do {
+    draw = random.below(uint64_t{1} << 30U);
+  } while (!in_pass && codeOf(input, board, 2, change) == usual);
   planted.found = whatIsNotSame(in_pass ? validate(input, board, 2, {}, change)
                                         : validate(input, board, 2, change));
   return planted;
@@ -48,11 +55,11 @@ TEST_P(PlantedFaults, AreFound) {
   ASSERT_TRUE(compilation && compilation->checked);
   const compiler::Optimised mission = compiler::optimise(compilation->checked);
   random_missions::Random random(setting("GLIDER_FAULTS_SEED", 1));
-  const uint64_t count = setting("GLIDER_FAULTS_COUNT", 6);
+  const uint64_t count = setting("GLIDER_FAULTS_COUNT", 4);
   uint64_t missed = 0;
   for (uint64_t i = 0; i < count; ++i) {
     const char* board = i % 4 < 2 ? "host" : "ts7800";
-    const Planted planted = plant(mission.input(), board, i % 2 == 0, random.below(1U << 30U));
+    const Planted planted = plant(mission.input(), board, i % 2 == 0, random);
     if (planted.found.empty()) {
       ++missed;
       std::printf("not found on %s: %s\n", board, planted.words.c_str());

@@ -46,28 +46,28 @@ Run::Term Run::call(const llvm::CallInst& call) {
 }
 
 Run::Term Run::callBody(const llvm::CallInst& call, const llvm::Function& body) {
-  Outcome outcome = code_.run(body, arguments(call, 0), moment_);
-  moment_ = std::move(outcome.moment);
+  Outcome outcome = code_.run(body, arguments(call, 0), memory_);
+  memory_ = std::move(outcome.memory);
   return {outcome.result};
 }
 
 Run::Term Run::callContract(const llvm::CallInst& call) {
   const std::string name = call.getCalledFunction()->getName().str();
-  const z3::expr nothing = moments().word(0);
-  switch (contractOf(moments().places().mission(), name)) {
+  const z3::expr nothing = effects().word(0);
+  switch (contractOf(effects().places().mission(), name)) {
     case Contract::Note:
       callNote(call);
       return {nothing};
     case Contract::Window:
-      moments().window(moment_, name, address(call.getArgOperand(0)), arguments(call, 1));
+      effects().window(memory_, name, address(call.getArgOperand(0)), arguments(call, 1));
       return {nothing};
     case Contract::Pure:
-      return {moments().pure(name, arguments(call, 0))};
+      return {effects().pure(name, arguments(call, 0))};
     case Contract::Command:
-      moments().command(moment_, name, arguments(call, 0));
+      effects().command(memory_, name, arguments(call, 0));
       return {nothing};
     case Contract::Foreign:
-      return {moments().foreign(moment_, name, arguments(call, 0))};
+      return {effects().foreign(memory_, name, arguments(call, 0))};
     case Contract::Table:
       return {callTable(call)};
     case Contract::None:
@@ -92,7 +92,7 @@ void Run::callNote(const llvm::CallInst& call) {
       all.push_back(found->second);
     }
   }
-  moments().command(moment_, "gliderNote", all);
+  effects().command(memory_, "gliderNote", all);
 }
 
 void Run::fill(const llvm::MemSetInst& fill) {
@@ -100,8 +100,8 @@ void Run::fill(const llvm::MemSetInst& fill) {
   if (whole(fill.getValue(), "memory that is filled") != 0) {
     throw Undecided("memory that is filled with something else than 0");
   }
-  for (const Address at : moments().places().fieldsIn(address(fill.getDest()), bytes)) {
-    moments().store(moment_, at, z3().bv_val(0, moments().places().at(at).bytes * 8));
+  for (const Address at : effects().places().fieldsIn(address(fill.getDest()), bytes)) {
+    effects().store(memory_, at, z3().bv_val(0, effects().places().at(at).bytes * 8));
   }
 }
 
@@ -120,7 +120,7 @@ z3::expr Run::isOfClass(const z3::expr& x, uint64_t classes) {
                                  negative && subnormal, negative && zero,
                                  !negative && zero,     !negative && subnormal,
                                  !negative && normal,   !negative && infinite};
-  z3::expr any = moments().truth(false);
+  z3::expr any = effects().truth(false);
   for (uint64_t i = 0; i < kClasses; ++i) {
     if ((classes >> i & 1U) != 0) {
       any = any || is[i];
@@ -144,12 +144,12 @@ Run::Term Run::intrinsic(const llvm::IntrinsicInst& call) {
       return {z3::ite(z3::ugt(argument(0), argument(1)), argument(0), argument(1)).simplify()};
     case llvm::Intrinsic::memset:
       fill(llvm::cast<llvm::MemSetInst>(call));
-      return {moments().word(0)};
+      return {effects().word(0)};
     case llvm::Intrinsic::lifetime_start:
     case llvm::Intrinsic::lifetime_end:
     case llvm::Intrinsic::assume:
     case llvm::Intrinsic::dbg_value:
-      return {moments().word(0)};
+      return {effects().word(0)};
     default:
       throw Undecided(fmt::format("a call of `{}`", call.getCalledFunction()->getName().str()));
   }

@@ -47,7 +47,7 @@ Address constantPlace(Places& places, const llvm::Constant& content) {
 }
 
 Outcome Code::run(const llvm::Function& function, const std::vector<z3::expr>& arguments,
-                  const Moment& before) {
+                  const Memory& before) {
   if (depth_ == kDeepestCall) {
     throw Undecided("calls that are too deep");
   }
@@ -57,26 +57,26 @@ Outcome Code::run(const llvm::Function& function, const std::vector<z3::expr>& a
   return outcome;
 }
 
-void Code::command(Moment& moment, const std::string& name,
+void Code::command(Memory& memory, const std::string& name,
                    const std::vector<z3::expr>& arguments) {
   const llvm::Function* body = short_ones_.getFunction(name);
   if (body != nullptr && !body->isDeclaration()) {
-    moment = run(*body, arguments, moment).moment;
+    memory = run(*body, arguments, memory).memory;
   } else {
-    moments_.command(moment, name, arguments);
+    effects_.command(memory, name, arguments);
   }
 }
 
 /// Blocks in an order in which each comes after all that lead to it.
-Outcome Run::from(const std::vector<z3::expr>& arguments, const Moment& before) {
+Outcome Run::from(const std::vector<z3::expr>& arguments, const Memory& before) {
   for (unsigned i = 0; i < function_.arg_size(); ++i) {
     terms_.insert({function_.getArg(i), Term{arguments.at(i)}});
   }
-  WaysOut ways(moments());
+  WaysOut ways(effects());
   std::set<const llvm::BasicBlock*> done;
   const llvm::ReversePostOrderTraversal<const llvm::Function*> order(&function_);
-  here_ = moments().truth(true);
-  moment_ = before;
+  here_ = effects().truth(true);
+  memory_ = before;
   for (const llvm::BasicBlock* block : order) {
     done.insert(block);
     if (block != &function_.getEntryBlock()) {
@@ -98,25 +98,25 @@ Outcome Run::from(const std::vector<z3::expr>& arguments, const Moment& before) 
       continue;
     }
     const llvm::Value* result = end->getReturnValue();
-    ways.add(here_, result != nullptr ? value(result) : moments().word(0), moment_);
+    ways.add(here_, result != nullptr ? value(result) : effects().word(0), memory_);
   }
   return ways.together();
 }
 
 void Run::enter(const llvm::BasicBlock& block) {
   const auto& edges = edges_[&block];
-  here_ = moments().truth(false);
+  here_ = effects().truth(false);
   if (edges.empty()) {
     return;  // only an unreachable block leads here
   }
-  moment_ = edges.back().second.moment;
+  memory_ = edges.back().second.memory;
   locals_ = edges.back().second.locals;
   for (const auto& [from, edge] : edges) {
     here_ = (here_ || edge.when).simplify();
   }
   for (auto edge = edges.rbegin() + 1; edge != edges.rend(); ++edge) {
     const Edge& other = edge->second;
-    moment_ = moments().either(other.when, other.moment, moment_);
+    memory_ = effects().either(other.when, other.memory, memory_);
     for (auto& [address, value] : locals_) {
       if (const auto found = other.locals.find(address); found != other.locals.end()) {
         value = z3::ite(other.when, found->second, value).simplify();
@@ -134,7 +134,7 @@ void Run::go(const llvm::BasicBlock& from, const llvm::BasicBlock& to, const z3:
       return;
     }
   }
-  edges.emplace_back(&from, Edge{when, moment_, locals_});
+  edges.emplace_back(&from, Edge{when, memory_, locals_});
 }
 
 void Run::leave(const llvm::BasicBlock& block) {

@@ -3,7 +3,7 @@
 
 #pragma once
 
-#include "codegen/llvm/validate/moment.h"
+#include "codegen/llvm/validate/memory.h"
 
 #include <llvm/ADT/DenseMap.h>
 #include <llvm/IR/Instructions.h>
@@ -20,24 +20,24 @@ Address constantPlace(Places& places, const llvm::Constant& content);
 
 /// What functions of a module do, from LLVM's definition of its instructions. Only what missions
 /// are made of is understood; all else throws Undecided. Behaviour that LLVM leaves undefined does
-/// not occur in what the mission means, so it need not be told apart.
+/// not occur in what the mission means, so it is not distinguished.
 class Code {
  public:
   /// `short_ones` has the bodies of the runtime's functions that may have been inlined: a call of
   /// one does what its body does. All outlive this.
-  Code(Moments& moments, const llvm::Module& module, const llvm::Module& short_ones)
-      : moments_(moments), module_(module), short_ones_(short_ones) {}
+  Code(Effects& effects, const llvm::Module& module, const llvm::Module& short_ones)
+      : effects_(effects), module_(module), short_ones_(short_ones) {}
 
   /// Called with these arguments, pointers as addresses.
   Outcome run(const llvm::Function& function, const std::vector<z3::expr>& arguments,
-              const Moment& before);
+              const Memory& before);
   /// What a call of that function of the runtime does, which returns nothing.
-  void command(Moment& moment, const std::string& name, const std::vector<z3::expr>& arguments);
+  void command(Memory& memory, const std::string& name, const std::vector<z3::expr>& arguments);
 
-  Moments& moments() { return moments_; }
+  Effects& effects() { return effects_; }
 
  private:
-  Moments& moments_;
+  Effects& effects_;
   const llvm::Module& module_;
   const llvm::Module& short_ones_;
   uint32_t frames_ = 0;  ///< numbers of local objects

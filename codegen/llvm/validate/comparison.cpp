@@ -82,20 +82,20 @@ class Rounding {
 
 class Comparison {
  public:
-  Comparison(Moments& moments, const Outcome& meant, const Outcome& done) : moments_(moments) {
+  Comparison(Effects& effects, const Outcome& meant, const Outcome& done) : effects_(effects) {
     add("what it returns", meant.result, done.result);
     std::set<Address> cells;
     for (const Outcome* one : {&meant, &done}) {
-      for (const auto& [address, value] : one->moment.cells) {
+      for (const auto& [address, value] : one->memory.cells) {
         cells.insert(address);
       }
     }
     for (const Address cell : cells) {
-      add(moments.places().at(cell).name, moments.load(meant.moment, cell),
-          moments.load(done.moment, cell));
+      add(effects.places().at(cell).name, effects.load(meant.memory, cell),
+          effects.load(done.memory, cell));
     }
-    add("its commands, notes and calls of C code", meant.moment.world, done.moment.world);
-    for (const auto& [address, value] : done.moment.cells) {
+    add("its commands, notes and calls of C code", meant.memory.world, done.memory.world);
+    for (const auto& [address, value] : done.memory.cells) {
       addTruth(address, value);
     }
   }
@@ -138,11 +138,11 @@ class Comparison {
   }
 
   z3::solver question(const Difference& difference, const Rounding& rounding) {
-    z3::solver solver(moments_.z3());
-    z3::params parameters(moments_.z3());
+    z3::solver solver(effects_.z3());
+    z3::params parameters(effects_.z3());
     parameters.set("rlimit", kMostWork);
     solver.set(parameters);
-    for (const z3::expr& fact : moments_.numbers().facts()) {
+    for (const z3::expr& fact : effects_.numbers().facts()) {
       solver.add(fact);
     }
     for (const z3::expr& fact : rounding.learned()) {
@@ -160,16 +160,16 @@ class Comparison {
 
   /// What later functions take for granted of truth values.
   void addTruth(Address address, const z3::expr& value) {
-    if (moments_.places().at(address).kind != CellKind::Truth) {
+    if (effects_.places().at(address).kind != CellKind::Truth) {
       return;
     }
-    Numbers& numbers = moments_.numbers();
+    Numbers& numbers = effects_.numbers();
     const z3::expr good =
         (value == numbers.constant(0) || value == numbers.constant(1) || value == numbers.unknown())
             .simplify();
     if (!good.is_true()) {
-      differences_.push_back(
-          {moments_.places().at(address).name + ", which is no truth value", !good, value, value});
+      differences_.push_back({effects_.places().at(address).name + ", which is not a truth value",
+                              !good, value, value});
     }
   }
 
@@ -181,9 +181,9 @@ class Comparison {
       words += fmt::format(": {} by the mission, {} by the code", inWords(meant), inWords(done));
     }
     std::vector<std::string> values;
-    for (const auto& [address, value] : moments_.initial()) {
+    for (const auto& [address, value] : effects_.initial()) {
       if (values.size() < kMostValues && model.has_interp(value.decl())) {
-        values.push_back(fmt::format("{} = {}", moments_.places().at(address).name,
+        values.push_back(fmt::format("{} = {}", effects_.places().at(address).name,
                                      inWords(model.eval(value, true))));
       }
     }
@@ -199,15 +199,15 @@ class Comparison {
     return number == number ? fmt::format("{:.6g}", number) : "unknown";
   }
 
-  Moments& moments_;
+  Effects& effects_;
   std::vector<Difference> differences_;
 };
 
 }  // namespace
 
-Validated compare(Moments& moments, const std::string& what, const Outcome& meant,
+Validated compare(Effects& effects, const std::string& what, const Outcome& meant,
                   const Outcome& done) {
-  return Comparison(moments, meant, done).ask(what);
+  return Comparison(effects, meant, done).ask(what);
 }
 
 }  // namespace glider::codegen::validate

@@ -3,7 +3,7 @@
 
 #pragma once
 
-#include "codegen/llvm/validate/moment.h"
+#include "codegen/llvm/validate/memory.h"
 #include "codegen/validation.h"
 
 #include <string>
@@ -11,7 +11,7 @@
 namespace glider::codegen::validate {
 
 /// Whether what a part of a mission means and what its code does are the same. `what` names it.
-Validated compare(Moments& moments, const std::string& what, const Outcome& meant,
+Validated compare(Effects& effects, const std::string& what, const Outcome& meant,
                   const Outcome& done);
 
 }  // namespace glider::codegen::validate

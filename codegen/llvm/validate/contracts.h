@@ -13,7 +13,7 @@ namespace glider::codegen::validate {
 /// What is known of a function that generated code calls.
 enum class Contract : uint8_t {
   None,     ///< nothing
-  Command,  ///< changes the world (Moment); returns nothing
+  Command,  ///< changes the world (Memory); returns nothing
   Note,     ///< gliderNote: the same, with values from memory
   Window,   ///< changes the window whose memory it gets, from that and the other arguments
   Pure,     ///< its result depends on its arguments, and is settled

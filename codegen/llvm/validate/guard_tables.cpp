@@ -86,12 +86,12 @@ class Column {
 };
 
 /// The number that a column is about.
-z3::expr sourceOf(Moments& moments, const Moment& moment, const llvm::Constant& column) {
+z3::expr sourceOf(Effects& effects, const Memory& memory, const llvm::Constant& column) {
   namespace context = field::GliderContext;
-  Places& places = moments.places();
-  const auto read = [&](Address at) { return moments.load(moment, at); };
+  Places& places = effects.places();
+  const auto read = [&](Address at) { return effects.load(memory, at); };
   const auto since = [&](unsigned then) {
-    Numbers& numbers = moments.numbers();
+    Numbers& numbers = effects.numbers();
     return numbers.settle(
         numbers.subtract(read(places.context(context::mission_time)), read(places.context(then))));
   };
@@ -149,7 +149,7 @@ z3::expr Run::callTable(const llvm::CallInst& call) {
   for (uint64_t i = 0; i < wordOf(table, field::column_count); ++i) {
     const llvm::Constant& column =
         *listOf(fieldOf(table, field::columns)).getAggregateElement(static_cast<unsigned>(i));
-    const z3::expr bits = numbers().canonical(sourceOf(moments(), moment_, column));
+    const z3::expr bits = numbers().canonical(sourceOf(effects(), memory_, column));
     const z3::expr order =
         z3::ite(bits < z3().bv_val(0, 64), bits ^ z3().bv_val(INT64_MAX, 64), bits);
     columns.emplace_back(Column(column, words), order);
@@ -157,10 +157,10 @@ z3::expr Run::callTable(const llvm::CallInst& call) {
   const llvm::Constant& cases = listOf(fieldOf(table, field::cases));
   const uint64_t rows = llvm::cast<llvm::ArrayType>(cases.getType())->getNumElements();
   const auto* holds = llvm::dyn_cast<llvm::Function>(fieldOf(table, field::holds));
-  z3::expr found = moments().word(GLIDER_NO_CASE);
+  z3::expr found = effects().word(GLIDER_NO_CASE);
   for (uint64_t row = rows; row-- > 0;) {
     const uint64_t number = elementOf(cases, row);
-    z3::expr is_true = z3::ule(from, moments().word(static_cast<uint32_t>(number)));
+    z3::expr is_true = z3::ule(from, effects().word(static_cast<uint32_t>(number)));
     for (const auto& [column, order] : columns) {
       is_true = is_true && mayHold(column, row, order);
     }
@@ -170,10 +170,10 @@ z3::expr Run::callTable(const llvm::CallInst& call) {
         throw Undecided("a table of guards without the guards that it needs");
       }
       const std::vector<z3::expr> arguments{value(call.getArgOperand(Context)),
-                                            moments().word(static_cast<uint32_t>(number))};
-      is_true = is_true && code_.run(*holds, arguments, moment_).result != moments().word(0);
+                                            effects().word(static_cast<uint32_t>(number))};
+      is_true = is_true && code_.run(*holds, arguments, memory_).result != effects().word(0);
     }
-    found = z3::ite(is_true, moments().word(static_cast<uint32_t>(number)), found).simplify();
+    found = z3::ite(is_true, effects().word(static_cast<uint32_t>(number)), found).simplify();
   }
   return found;
 }

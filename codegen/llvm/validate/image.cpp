@@ -32,7 +32,7 @@ struct Piece {
 };
 
 /// The bits that linking fills in, of a relocation that is 32 bits wide; all for types that are not
-/// told apart.
+/// distinguished.
 uint32_t filledBits(std::string_view type) {
   constexpr uint32_t kAll = UINT32_MAX;
   struct Row {
@@ -80,7 +80,7 @@ class Elf {
     return llvm::dyn_cast_or_null<ELFObjectFileBase>(file_.get());
   }
 
-  /// All that functions and constants name, but for names that linking may drop.
+  /// All functions and named constants, except for names that linking may drop.
   [[nodiscard]] std::multimap<std::string, Piece> pieces() const {
     std::multimap<std::string, Piece> found;
     for (const llvm::object::ELFSymbolRef& symbol : file()->symbols()) {

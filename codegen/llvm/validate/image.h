@@ -11,7 +11,7 @@
 namespace glider::codegen {
 
 /// Whether a linked program still holds the mission's functions and named constants as the objects
-/// have them, bit by bit but for what linking fills in. `image` must have its symbols. Differs
+/// have them, bit by bit except for what linking fills in. `image` must have its symbols. Differs
 /// names the first place.
 Validated compareImage(const std::vector<std::string>& objects, const std::string& image);
 

@@ -55,18 +55,18 @@ z3::expr Run::constant(const llvm::Constant& constant) {
   }
   if (const auto* whole = llvm::dyn_cast<llvm::ConstantInt>(&constant)) {
     return whole->getType()->isIntegerTy(1)
-               ? moments().truth(whole->isOne())
+               ? effects().truth(whole->isOne())
                : z3().bv_val(whole->getZExtValue(), whole->getBitWidth());
   }
   if (llvm::isa<llvm::ConstantPointerNull>(constant)) {
-    return moments().address(0);
+    return effects().address(0);
   }
   if (llvm::isa<llvm::UndefValue>(constant)) {
     return anything(*constant.getType());
   }
   const auto* global = llvm::dyn_cast<llvm::GlobalVariable>(&constant);
   if (global != nullptr && global->isConstant() && global->hasDefinitiveInitializer()) {
-    return moments().address(constantPlace(moments().places(), *global->getInitializer()));
+    return effects().address(constantPlace(effects().places(), *global->getInitializer()));
   }
   throw Undecided("a constant that is not understood");
 }
@@ -159,9 +159,9 @@ Run::Term Run::meaning(const llvm::Instruction& instruction) {
     case llvm::Instruction::Freeze:
       return {value(instruction.getOperand(0))};
     case llvm::Instruction::Alloca: {
-      const Address object = moments().places().object(fmt::format("frame {}", code_.frames_++));
+      const Address object = effects().places().object(fmt::format("frame {}", code_.frames_++));
       frames_.insert(object);
-      return {moments().address(object)};
+      return {effects().address(object)};
     }
     default:
       notKnown(instruction);
@@ -345,13 +345,13 @@ z3::expr Run::load(const llvm::LoadInst& load) {
     return local->second;
   }
   if (load.getType()->isPointerTy()) {
-    const auto behind = moments().places().behind(at);
+    const auto behind = effects().places().behind(at);
     if (!behind) {
       throw Undecided("a pointer that is read from memory");
     }
-    return moments().address(*behind);
+    return effects().address(*behind);
   }
-  const z3::expr held = moments().load(moment_, at);
+  const z3::expr held = effects().load(memory_, at);
   if (held.get_sort().bv_size() != load.getType()->getPrimitiveSizeInBits()) {
     throw Undecided("an access to a part of a number");
   }
@@ -367,7 +367,7 @@ void Run::store(const llvm::StoreInst& store) {
   if (frames_.contains(objectOf(at))) {
     locals_.insert_or_assign(at, stored);
   } else {
-    moments().store(moment_, at, stored);
+    effects().store(memory_, at, stored);
   }
 }
 

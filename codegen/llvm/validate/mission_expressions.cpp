@@ -19,7 +19,7 @@ MissionExpressions::Value MissionExpressions::truth(const z3::expr& is_true,
 }
 
 MissionExpressions::Value MissionExpressions::ofNumber(const z3::expr& number) {
-  return {number, moments_.truth(false), moments_.truth(false)};
+  return {number, effects_.truth(false), effects_.truth(false)};
 }
 
 z3::expr MissionExpressions::asNumber(const Value& value, bool truth) {
@@ -31,12 +31,12 @@ z3::expr MissionExpressions::asNumber(const Value& value, bool truth) {
       .simplify();
 }
 
-z3::expr MissionExpressions::asNumber(Moment& moment, ir::ExprId id) {
-  return asNumber(valueOf(moment, id), mission_[id].type.kind == ir::TypeKind::Bool);
+z3::expr MissionExpressions::asNumber(Memory& memory, ir::ExprId id) {
+  return asNumber(valueOf(memory, id), mission_[id].type.kind == ir::TypeKind::Bool);
 }
 
 /// C4: every part, in the order of the vector.
-MissionExpressions::Value MissionExpressions::valueOf(Moment& moment, ir::ExprId id) {
+MissionExpressions::Value MissionExpressions::valueOf(Memory& memory, ir::ExprId id) {
   std::set<uint32_t> parts{id.index};
   for (auto part = parts.rbegin(); part != parts.rend(); ++part) {  // operands have smaller numbers
     const ir::Expr& expr = mission_.exprs.at(*part);
@@ -46,32 +46,32 @@ MissionExpressions::Value MissionExpressions::valueOf(Moment& moment, ir::ExprId
   }
   Known known;
   for (const uint32_t part : parts) {
-    known.emplace(part, evaluate(moment, mission_.exprs[part], known));
+    known.emplace(part, evaluate(memory, mission_.exprs[part], known));
   }
   return known.at(id.index);
 }
 
-MissionExpressions::Value MissionExpressions::evaluate(Moment& moment, const ir::Expr& expr,
+MissionExpressions::Value MissionExpressions::evaluate(Memory& memory, const ir::Expr& expr,
                                                        const Known& operands) {
   const auto number = [&](size_t i) { return operands.at(expr.operands.at(i).index).number; };
   switch (ir::groupOf(expr.op)) {
     case OpGroup::Truth:
-      return truth(moments_.truth(expr.op == Op::True), moments_.truth(expr.op == Op::False));
+      return truth(effects_.truth(expr.op == Op::True), effects_.truth(expr.op == Op::False));
     case OpGroup::Constant:
       return ofNumber(numbers().constant(expr.number));
     case OpGroup::Sensor:
       return ofNumber(
-          moments_.load(moment, places().reading(expr.sensor, field::GliderReading::value)));
+          effects_.load(memory, places().reading(expr.sensor, field::GliderReading::value)));
     case OpGroup::Clock:
-      return ofNumber(clock(moment, ir::opIn<ir::ClockOp>(expr.op)));
+      return ofNumber(clock(memory, ir::opIn<ir::ClockOp>(expr.op)));
     case OpGroup::Age:
-      return ofNumber(age(moment, expr.sensor));
+      return ofNumber(age(memory, expr.sensor));
     case OpGroup::Variable:
-      return held(expr, moments_.load(moment, places().variable(expr.variable)));
+      return held(expr, effects_.load(memory, places().variable(expr.variable)));
     case OpGroup::Temporal:
-      return held(expr, moments_.load(moment, places().temporal(expr.temporal, 0)));
+      return held(expr, effects_.load(memory, places().temporal(expr.temporal, 0)));
     case OpGroup::Call:
-      return called(moment, expr, operands);
+      return called(memory, expr, operands);
     case OpGroup::Comparison:
       return comparison(expr, number(0), number(1));
     case OpGroup::Known: {  // N10
@@ -99,32 +99,41 @@ MissionExpressions::Value MissionExpressions::evaluate(Moment& moment, const ir:
 
 z3::expr MissionExpressions::numeric(const ir::Expr& expr, const Known& operands) {
   std::vector<z3::expr> of;
-  z3::expr all_known = moments_.truth(true);
+  z3::expr all_known = effects_.truth(true);
   for (uint32_t i = 0; i < ir::operandCount(expr); ++i) {
     of.push_back(operands.at(expr.operands.at(i).index).number);
     all_known = all_known && numbers().isKnown(of.back());
   }
-  const auto unlessUnknown = [&](const z3::expr& result) {
-    return z3::ite(all_known, result, numbers().unknown()).simplify();
-  };
-  switch (expr.op) {
-    case Op::Negate:  // unknown stays unknown
-      return numbers().negate(of[0]);
-    case Op::Abs:
-      return numbers().magnitude(of[0]);
-    case Op::Sqrt:
-      return unlessUnknown(numbers().settle(numbers().sqrt(of[0])));
-    case Op::Clamp: {
-      const z3::expr capped = z3::ite(numbers().less(of[2], of[0]), of[2], of[0]);
-      return unlessUnknown(z3::ite(numbers().less(of[0], of[1]), of[1], capped));
-    }
-    default:
-      break;
+  const OpGroup group = ir::groupOf(expr.op);
+  if (group == OpGroup::Unary) {
+    return unary(expr, of[0]);
   }
-  // N12: the runtime's functions themselves say what an unknown operand gives.
-  return ir::groupOf(expr.op) == OpGroup::Function
-             ? moments_.pure(std::string(ir::symbolOf(ir::opIn<ir::FunctionOp>(expr.op))), of)
-             : unlessUnknown(binary(expr, of[0], of[1]));
+  if (group == OpGroup::Function) {  // N12: they say themselves what an unknown operand gives
+    return effects_.pure(std::string(ir::symbolOf(ir::opIn<ir::FunctionOp>(expr.op))), of);
+  }
+  const z3::expr result =
+      group == OpGroup::Clamp ? clamp(of[0], of[1], of[2]) : binary(expr, of[0], of[1]);
+  return z3::ite(all_known, result, numbers().unknown()).simplify();
+}
+
+/// Unknown stays unknown.
+z3::expr MissionExpressions::unary(const ir::Expr& expr, const z3::expr& x) {
+  switch (ir::opIn<ir::UnaryOp>(expr.op)) {
+    case ir::UnaryOp::Negate:
+      return numbers().negate(x);
+    case ir::UnaryOp::Abs:
+      return numbers().magnitude(x);
+    case ir::UnaryOp::Sqrt:
+      return z3::ite(numbers().isKnown(x), numbers().settle(numbers().sqrt(x)), numbers().unknown())
+          .simplify();
+  }
+  CHECK(false, "an operation on one number without a meaning");
+}
+
+z3::expr MissionExpressions::clamp(const z3::expr& x, const z3::expr& lowest,
+                                   const z3::expr& highest) {
+  const z3::expr capped = z3::ite(numbers().less(highest, x), highest, x);
+  return z3::ite(numbers().less(x, lowest), lowest, capped);
 }
 
 z3::expr MissionExpressions::binary(const ir::Expr& expr, const z3::expr& a, const z3::expr& b) {
@@ -157,29 +166,29 @@ z3::expr MissionExpressions::element(const ir::Table& table, const z3::expr& num
 }
 
 /// E7.
-z3::expr MissionExpressions::clock(const Moment& moment, ir::ClockOp op) {
+z3::expr MissionExpressions::clock(const Memory& memory, ir::ClockOp op) {
   namespace context = field::GliderContext;
-  const auto read = [&](unsigned field) { return moments_.load(moment, places().context(field)); };
+  const auto read = [&](unsigned field) { return effects_.load(memory, places().context(field)); };
   switch (op) {
     case ir::ClockOp::MissionTime:
       return read(context::mission_time);
     case ir::ClockOp::StateTime:
-      return since(moment, read(context::entered));
+      return since(memory, read(context::entered));
     case ir::ClockOp::ResumeTime:
-      return since(moment, read(context::resumed));
+      return since(memory, read(context::resumed));
   }
   CHECK(false, "a clock without a meaning");
 }
 
-z3::expr MissionExpressions::since(const Moment& moment, const z3::expr& then) {
-  const z3::expr now = moments_.load(moment, places().context(field::GliderContext::mission_time));
+z3::expr MissionExpressions::since(const Memory& memory, const z3::expr& then) {
+  const z3::expr now = effects_.load(memory, places().context(field::GliderContext::mission_time));
   return numbers().settle(numbers().subtract(now, then));
 }
 
 /// N11.
-z3::expr MissionExpressions::age(const Moment& moment, ir::SensorId sensor) {
-  return since(moment,
-               moments_.load(moment, places().reading(sensor, field::GliderReading::updated)));
+z3::expr MissionExpressions::age(const Memory& memory, ir::SensorId sensor) {
+  return since(memory,
+               effects_.load(memory, places().reading(sensor, field::GliderReading::updated)));
 }
 
 /// A variable's or a watch's value as it is stored.
@@ -191,7 +200,7 @@ MissionExpressions::Value MissionExpressions::held(const ir::Expr& expr, const z
 }
 
 /// C1 to C3, C6: the first evaluation of a use in a tick calls its function.
-MissionExpressions::Value MissionExpressions::called(Moment& moment, const ir::Expr& expr,
+MissionExpressions::Value MissionExpressions::called(Memory& memory, const ir::Expr& expr,
                                                      const Known& operands) {
   const ir::Function& function = mission_[expr.use];
   const Address made = places().call(expr.use, field::GliderCall::made);
@@ -202,15 +211,15 @@ MissionExpressions::Value MissionExpressions::called(Moment& moment, const ir::E
     arguments.push_back(
         asNumber(operands.at(operand.index), mission_[operand].type.kind == ir::TypeKind::Bool));
   }
-  const z3::expr first = moments_.load(moment, made) == moments_.word(0);
-  Moment after = moment;
-  const z3::expr settled = numbers().settle(moments_.foreign(after, function.symbol, arguments));
+  const z3::expr first = effects_.load(memory, made) == effects_.word(0);
+  Memory after = memory;
+  const z3::expr settled = numbers().settle(effects_.foreign(after, function.symbol, arguments));
   const z3::expr outside = numbers().less(settled, numbers().constant(function.lowest)) ||
                            numbers().less(numbers().constant(function.highest), settled);
-  moments_.store(after, value, z3::ite(outside, numbers().unknown(), settled).simplify());
-  moments_.store(after, made, moments_.word(1));
-  moment = moments_.either(first.simplify(), after, moment);
-  const z3::expr result = moments_.load(moment, value);
+  effects_.store(after, value, z3::ite(outside, numbers().unknown(), settled).simplify());
+  effects_.store(after, made, effects_.word(1));
+  memory = effects_.either(first.simplify(), after, memory);
+  const z3::expr result = effects_.load(memory, value);
   if (expr.type.kind != ir::TypeKind::Bool) {
     return ofNumber(result);
   }

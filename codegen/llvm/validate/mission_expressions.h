@@ -3,7 +3,7 @@
 
 #pragma once
 
-#include "codegen/llvm/validate/moment.h"
+#include "codegen/llvm/validate/memory.h"
 #include "ir/core/ops.h"
 
 #include <unordered_map>
@@ -11,19 +11,19 @@
 namespace glider::codegen::validate {
 
 /// What the expressions of a mission mean, by ir/README.md (the numbers of its rules are in the
-/// comments). Written without the code generator, which it judges.
+/// comments). Written without the code generator, which it checks.
 class MissionExpressions {
  public:
   /// Both outlive this.
-  MissionExpressions(Moments& moments, const ir::Mission& mission)
-      : moments_(moments), mission_(mission) {}
+  MissionExpressions(Effects& effects, const ir::Mission& mission)
+      : effects_(effects), mission_(mission) {}
 
-  /// The value now. Calls of C functions change the moment.
-  z3::expr number(Moment& moment, ir::ExprId id) { return valueOf(moment, id).number; }
-  z3::expr isTrue(Moment& moment, ir::ExprId id) { return valueOf(moment, id).is_true; }
-  z3::expr isFalse(Moment& moment, ir::ExprId id) { return valueOf(moment, id).is_false; }
+  /// The value now. Calls of C functions change the memory.
+  z3::expr number(Memory& memory, ir::ExprId id) { return valueOf(memory, id).number; }
+  z3::expr isTrue(Memory& memory, ir::ExprId id) { return valueOf(memory, id).is_true; }
+  z3::expr isFalse(Memory& memory, ir::ExprId id) { return valueOf(memory, id).is_false; }
   /// A truth value as variables store it: 0, 1 or unknown; a number unchanged.
-  z3::expr asNumber(Moment& moment, ir::ExprId id);
+  z3::expr asNumber(Memory& memory, ir::ExprId id);
 
   /// Kleene's three values: neither is unknown.
   struct Value {
@@ -31,32 +31,34 @@ class MissionExpressions {
     z3::expr is_true;
     z3::expr is_false;
   };
-  Value valueOf(Moment& moment, ir::ExprId id);
+  Value valueOf(Memory& memory, ir::ExprId id);
   /// C truth values as numbers.
   z3::expr asNumber(const Value& value, bool truth);
 
   /// Mission time less `then`, settled.
-  z3::expr since(const Moment& moment, const z3::expr& then);
-  z3::expr age(const Moment& moment, ir::SensorId sensor);
+  z3::expr since(const Memory& memory, const z3::expr& then);
+  z3::expr age(const Memory& memory, ir::SensorId sensor);
 
  private:
   using Known = std::unordered_map<uint32_t, Value>;
-  Value evaluate(Moment& moment, const ir::Expr& expr, const Known& operands);
+  Value evaluate(Memory& memory, const ir::Expr& expr, const Known& operands);
   z3::expr numeric(const ir::Expr& expr, const Known& operands);
+  z3::expr unary(const ir::Expr& expr, const z3::expr& x);
+  z3::expr clamp(const z3::expr& x, const z3::expr& lowest, const z3::expr& highest);
   z3::expr binary(const ir::Expr& expr, const z3::expr& a, const z3::expr& b);
   z3::expr element(const ir::Table& table, const z3::expr& number);
-  z3::expr clock(const Moment& moment, ir::ClockOp op);
-  Value called(Moment& moment, const ir::Expr& expr, const Known& operands);
+  z3::expr clock(const Memory& memory, ir::ClockOp op);
+  Value called(Memory& memory, const ir::Expr& expr, const Known& operands);
   Value comparison(const ir::Expr& expr, const z3::expr& a, const z3::expr& b);
   static Value logic(const ir::Expr& expr, const Known& operands);
   Value held(const ir::Expr& expr, const z3::expr& stored);
   Value truth(const z3::expr& is_true, const z3::expr& is_false);
   Value ofNumber(const z3::expr& number);
 
-  Numbers& numbers() { return moments_.numbers(); }
-  Places& places() { return moments_.places(); }
+  Numbers& numbers() { return effects_.numbers(); }
+  Places& places() { return effects_.places(); }
 
-  Moments& moments_;
+  Effects& effects_;
   const ir::Mission& mission_;
 };
 

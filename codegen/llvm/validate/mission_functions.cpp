@@ -15,8 +15,8 @@ bool isInC(const ir::Mission& mission, const ir::Activity& activity) {
 
 }  // namespace
 
-z3::expr MissionFunctions::time(const Moment& moment) {
-  return moments_.load(moment, moments_.places().context(field::GliderContext::mission_time));
+z3::expr MissionFunctions::time(const Memory& memory) {
+  return effects_.load(memory, effects_.places().context(field::GliderContext::mission_time));
 }
 
 /// Step 4 and C5. Guards of `always` are not evaluated from the limit on where that can be seen, by
@@ -24,45 +24,45 @@ z3::expr MissionFunctions::time(const Moment& moment) {
 Outcome MissionFunctions::guards(const std::vector<ir::Case>& cases, bool always,
                                  const z3::expr& word) {
   const bool limited = always && !mission_.uses.empty();
-  Moment moment = moments_.first();
-  WaysOut ways(moments_);
-  z3::expr open = moments_.truth(true);
+  Memory memory = effects_.first();
+  WaysOut ways(effects_);
+  z3::expr open = effects_.truth(true);
   for (uint32_t i = 0; i < cases.size(); ++i) {
     if (limited) {
       const z3::expr limit =
-          moments_.load(moment, moments_.places().context(field::GliderContext::limit));
-      const z3::expr over = z3::ule(limit, moments_.word(i));
-      ways.add((open && over).simplify(), moments_.word(GLIDER_NO_CASE), moment);
+          effects_.load(memory, effects_.places().context(field::GliderContext::limit));
+      const z3::expr over = z3::ule(limit, effects_.word(i));
+      ways.add((open && over).simplify(), effects_.word(GLIDER_NO_CASE), memory);
       open = (open && !over).simplify();
     }
     const z3::expr fires =
-        z3::ule(word, moments_.word(i)) && expressions_.isTrue(moment, cases[i].guard);
-    ways.add((open && fires).simplify(), moments_.word(i), moment);
+        z3::ule(word, effects_.word(i)) && expressions_.isTrue(memory, cases[i].guard);
+    ways.add((open && fires).simplify(), effects_.word(i), memory);
     open = (open && !fires).simplify();
   }
-  ways.add(open, moments_.word(GLIDER_NO_CASE), moment);
+  ways.add(open, effects_.word(GLIDER_NO_CASE), memory);
   return ways.together();
 }
 
 /// All arguments are evaluated before any parameter gets one.
-void MissionFunctions::pass(Moment& moment, const ir::Case& fired) {
+void MissionFunctions::pass(Memory& memory, const ir::Case& fired) {
   std::vector<z3::expr> values;
   for (const ir::ExprId argument : fired.arguments) {
-    values.push_back(expressions_.asNumber(moment, argument));
+    values.push_back(expressions_.asNumber(memory, argument));
   }
   for (size_t i = 0; i < values.size(); ++i) {
-    assign(moment, mission_[fired.target].parameters.at(i), values[i]);
+    assign(memory, mission_[fired.target].parameters.at(i), values[i]);
   }
 }
 
 Outcome MissionFunctions::act(const std::vector<ir::Case>& cases, const z3::expr& word) {
-  const Moment before = moments_.first();
-  Moment after = before;
+  const Memory before = effects_.first();
+  Memory after = before;
   for (uint32_t i = 0; i < cases.size(); ++i) {
-    Moment fired = before;
+    Memory fired = before;
     run(fired, cases[i].action);
     pass(fired, cases[i]);
-    after = moments_.either(word == moments_.word(i), fired, after);
+    after = effects_.either(word == effects_.word(i), fired, after);
   }
   return only(after);
 }
@@ -70,14 +70,14 @@ Outcome MissionFunctions::act(const std::vector<ir::Case>& cases, const z3::expr
 /// E2 to E5. The context's fields are set already.
 Outcome MissionFunctions::enter(ir::StateId id, const z3::expr& word) {
   const ir::State& state = mission_[id];
-  const z3::expr entered = word == moments_.word(kGliderEnter);
-  const auto onlyIfEntered = [&](Moment& moment, auto then) {
-    Moment changed = moment;
+  const z3::expr entered = word == effects_.word(kGliderEnter);
+  const auto onlyIfEntered = [&](Memory& memory, auto then) {
+    Memory changed = memory;
     then(changed);
-    moment = moments_.either(entered, changed, moment);
+    memory = effects_.either(entered, changed, memory);
   };
-  Moment moment = moments_.first();
-  onlyIfEntered(moment, [&](Moment& now) {
+  Memory memory = effects_.first();
+  onlyIfEntered(memory, [&](Memory& now) {
     for (uint32_t i = 0; i < mission_.variables.size(); ++i) {
       const ir::Variable& variable = mission_.variables[i];
       const bool starts = variable.kind == ir::VariableKind::State ||
@@ -94,71 +94,71 @@ Outcome MissionFunctions::enter(ir::StateId id, const z3::expr& word) {
       continue;
     }
     if (ir::isWindow(temporal.kind)) {
-      onlyIfEntered(moment, [&](Moment& now) { startWindow(now, {i}); });
+      onlyIfEntered(memory, [&](Memory& now) { startWindow(now, {i}); });
     }
-    watch(moment, {i}, When::Start);
+    watch(memory, {i}, When::Start);
   }
   if (ir::samples(mission_)) {
-    sample(moment, state);
+    sample(memory, state);
   }
-  onlyIfEntered(moment, [&](Moment& now) { run(now, state.entry); });
-  begin(moment, state.profile, index_.memory_blocks[id.index].profile, word);
-  begin(moment, state.route, index_.memory_blocks[id.index].route, word);
-  return only(moment);
+  onlyIfEntered(memory, [&](Memory& now) { run(now, state.entry); });
+  begin(memory, state.profile, index_.memory_blocks[id.index].profile, word);
+  begin(memory, state.route, index_.memory_blocks[id.index].route, word);
+  return only(memory);
 }
 
-void MissionFunctions::begin(Moment& moment, const ir::Activity& activity, uint32_t block,
+void MissionFunctions::begin(Memory& memory, const ir::Activity& activity, uint32_t block,
                              const z3::expr& phase) {
   if (isInC(mission_, activity)) {
-    behaviour(moment, activity, block, phase);
+    behaviour(memory, activity, block, phase);
   } else {
-    run(moment, activity.entry);
+    run(memory, activity.entry);
   }
 }
 
-void MissionFunctions::behaviour(Moment& moment, const ir::Activity& activity, uint32_t block,
+void MissionFunctions::behaviour(Memory& memory, const ir::Activity& activity, uint32_t block,
                                  const z3::expr& phase) {
   std::vector<z3::expr> arguments{
-      context(), moments_.address(moments_.places().behaviourMemory(block)), phase};
+      context(), effects_.address(effects_.places().behaviourMemory(block)), phase};
   for (const ir::ExprId argument : activity.arguments) {
-    arguments.push_back(expressions_.asNumber(moment, argument));
+    arguments.push_back(expressions_.asNumber(memory, argument));
   }
-  code_.command(moment, mission_[activity.behaviour].symbol, arguments);
+  code_.command(memory, mission_[activity.behaviour].symbol, arguments);
 }
 
 /// Step 3, the part of the state, and S8.
 Outcome MissionFunctions::advance(ir::StateId id) {
-  Moment moment = moments_.first();
+  Memory memory = effects_.first();
   for (uint32_t i = 0; i < mission_.temporals.size(); ++i) {
     const ir::Temporal& temporal = mission_.temporals[i];
     if (temporal.list != ir::ListKind::Always && temporal.state == id) {
-      watch(moment, {i}, When::Advance);
+      watch(memory, {i}, When::Advance);
     }
   }
   if (ir::samplingChanges(mission_, mission_[id])) {
-    sample(moment, mission_[id]);
+    sample(memory, mission_[id]);
   }
-  return only(moment);
+  return only(memory);
 }
 
 /// Step 3, the part of `always`.
 Outcome MissionFunctions::advanceAlways() {
-  Moment moment = moments_.first();
+  Memory memory = effects_.first();
   for (uint32_t i = 0; i < mission_.temporals.size(); ++i) {
     if (mission_.temporals[i].list == ir::ListKind::Always) {
-      watch(moment, {i}, When::Advance);
+      watch(memory, {i}, When::Advance);
     }
   }
-  run(moment, mission_.every_tick);
-  return only(moment);
+  run(memory, mission_.every_tick);
+  return only(memory);
 }
 
 /// E8.
 Outcome MissionFunctions::begin() {
-  Moment moment = moments_.first();
+  Memory memory = effects_.first();
   for (uint32_t i = 0; i < mission_.variables.size(); ++i) {
     if (mission_.variables[i].kind == ir::VariableKind::Mission) {
-      assign(moment, {i}, expressions_.asNumber(moment, mission_.variables[i].initial));
+      assign(memory, {i}, expressions_.asNumber(memory, mission_.variables[i].initial));
     }
   }
   for (uint32_t i = 0; i < mission_.temporals.size(); ++i) {
@@ -167,59 +167,59 @@ Outcome MissionFunctions::begin() {
       continue;
     }
     if (ir::isWindow(temporal.kind)) {
-      startWindow(moment, {i});
+      startWindow(memory, {i});
     }
-    watch(moment, {i}, When::Start);
+    watch(memory, {i}, When::Start);
   }
-  run(moment, mission_.every_tick);
-  return only(moment);
+  run(memory, mission_.every_tick);
+  return only(memory);
 }
 
 Outcome MissionFunctions::condition() {
-  Moment moment = moments_.first();
-  WaysOut ways(moments_);
-  z3::expr open = moments_.truth(true);
+  Memory memory = effects_.first();
+  WaysOut ways(effects_);
+  z3::expr open = effects_.truth(true);
   for (uint32_t i = 0; i < mission_.conditions.size(); ++i) {
-    const z3::expr holds = expressions_.isTrue(moment, mission_.conditions[i]);
-    ways.add((open && !holds).simplify(), moments_.word(i), moment);
+    const z3::expr holds = expressions_.isTrue(memory, mission_.conditions[i]);
+    ways.add((open && !holds).simplify(), effects_.word(i), memory);
     open = (open && holds).simplify();
   }
-  ways.add(open, moments_.word(GLIDER_NO_CASE), moment);
+  ways.add(open, effects_.word(GLIDER_NO_CASE), memory);
   return ways.together();
 }
 
 /// Steps 4 and 5, of a profile or route.
 Outcome MissionFunctions::fly(const ir::Activity& activity, uint32_t memory_block) {
-  Moment moment = moments_.first();
+  Memory memory = effects_.first();
   if (isInC(mission_, activity)) {
-    behaviour(moment, activity, memory_block, moments_.word(kGliderTick));
-    return {moments_.word(GLIDER_NO_CASE), moment};
+    behaviour(memory, activity, memory_block, effects_.word(kGliderTick));
+    return {effects_.word(GLIDER_NO_CASE), memory};
   }
-  WaysOut ways(moments_);
-  z3::expr open = moments_.truth(true);
+  WaysOut ways(effects_);
+  z3::expr open = effects_.truth(true);
   for (uint32_t i = 0; i < activity.cases.size(); ++i) {
     const ir::Case& one = activity.cases[i];
-    const z3::expr fires = expressions_.isTrue(moment, one.guard);
-    Moment fired = moment;
+    const z3::expr fires = expressions_.isTrue(memory, one.guard);
+    Memory fired = memory;
     run(fired, one.action);
     if (one.transition == ir::Transition::Done) {
       assign(fired, activity.done, numbers().constant(1));
     }
-    ways.add((open && fires).simplify(), moments_.word(i), fired);
+    ways.add((open && fires).simplify(), effects_.word(i), fired);
     open = (open && !fires).simplify();
   }
-  ways.add(open, moments_.word(GLIDER_NO_CASE), moment);
+  ways.add(open, effects_.word(GLIDER_NO_CASE), memory);
   return ways.together();
 }
 
 /// S8.
-void MissionFunctions::sample(Moment& moment, const ir::State& state) {
+void MissionFunctions::sample(Memory& memory, const ir::State& state) {
   z3::expr word = numbers().constant(0);
   for (const ir::Sampling& one : state.sampling) {
     const z3::expr weight = numbers().constant(ir::samplingWeight(one.place));
-    word = numbers().add(word, numbers().multiply(expressions_.number(moment, one.code), weight));
+    word = numbers().add(word, numbers().multiply(expressions_.number(memory, one.code), weight));
   }
-  code_.command(moment, "gliderSample", {context(), word});
+  code_.command(memory, "gliderSample", {context(), word});
 }
 
 }  // namespace glider::codegen::validate

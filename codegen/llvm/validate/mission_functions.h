@@ -16,10 +16,10 @@ class MissionFunctions {
   /// All outlive this. `code` says what functions of the runtime do that have a body.
   MissionFunctions(Code& code, const ir::Mission& mission, const MissionIndex& index)
       : code_(code),
-        moments_(code.moments()),
+        effects_(code.effects()),
         mission_(mission),
         index_(index),
-        expressions_(code.moments(), mission) {}
+        expressions_(code.effects(), mission) {}
 
   /// `word` is the function's second argument: the case from which on guards are tried, the case
   /// that fired, the phase.
@@ -36,36 +36,36 @@ class MissionFunctions {
  private:
   enum class When : uint8_t { Start, Advance };
 
-  void run(Moment& moment, ir::BlockId block);
-  void execute(Moment& moment, const ir::Statement& statement);
-  void set(Moment& moment, const ir::Statement& statement);
-  void choose(Moment& moment, const ir::Statement& statement);
-  void note(Moment& moment, uint32_t kind, const std::string& text,
+  void run(Memory& memory, ir::BlockId block);
+  void execute(Memory& memory, const ir::Statement& statement);
+  void set(Memory& memory, const ir::Statement& statement);
+  void choose(Memory& memory, const ir::Statement& statement);
+  void note(Memory& memory, uint32_t kind, const std::string& text,
             const std::vector<z3::expr>& values);
-  void assign(Moment& moment, ir::VariableId variable, const z3::expr& value);
-  void pass(Moment& moment, const ir::Case& fired);
+  void assign(Memory& memory, ir::VariableId variable, const z3::expr& value);
+  void pass(Memory& memory, const ir::Case& fired);
 
-  void watch(Moment& moment, ir::TemporalId id, When when);
-  z3::expr held(Moment& moment, ir::TemporalId id, When when, const z3::expr& turned);
-  void startWindow(Moment& moment, ir::TemporalId id);
-  void advanceWindow(Moment& moment, ir::TemporalId id);
-  z3::expr fresh(const Moment& moment, const ir::Temporal& window);
+  void watch(Memory& memory, ir::TemporalId id, When when);
+  z3::expr held(Memory& memory, ir::TemporalId id, When when, const z3::expr& turned);
+  void startWindow(Memory& memory, ir::TemporalId id);
+  void advanceWindow(Memory& memory, ir::TemporalId id);
+  z3::expr fresh(const Memory& memory, const ir::Temporal& window);
   z3::expr shape(const ir::Temporal& window);
 
-  void behaviour(Moment& moment, const ir::Activity& activity, uint32_t block,
+  void behaviour(Memory& memory, const ir::Activity& activity, uint32_t block,
                  const z3::expr& phase);
-  void begin(Moment& moment, const ir::Activity& activity, uint32_t block, const z3::expr& phase);
-  void sample(Moment& moment, const ir::State& state);
-  void add(Moment& moment, const ir::Wake& wake, z3::expr& open, const z3::expr& nap,
+  void begin(Memory& memory, const ir::Activity& activity, uint32_t block, const z3::expr& phase);
+  void sample(Memory& memory, const ir::State& state);
+  void add(Memory& memory, const ir::Wake& wake, z3::expr& open, const z3::expr& nap,
            WaysOut& ways);
 
-  z3::expr context() { return moments_.address(moments_.places().object("context")); }
-  z3::expr time(const Moment& moment);
-  Numbers& numbers() { return moments_.numbers(); }
-  Outcome only(const Moment& moment) { return {moments_.word(0), moment}; }
+  z3::expr context() { return effects_.address(effects_.places().object("context")); }
+  z3::expr time(const Memory& memory);
+  Numbers& numbers() { return effects_.numbers(); }
+  Outcome only(const Memory& memory) { return {effects_.word(0), memory}; }
 
   Code& code_;
-  Moments& moments_;
+  Effects& effects_;
   const ir::Mission& mission_;
   const MissionIndex& index_;
   MissionExpressions expressions_;

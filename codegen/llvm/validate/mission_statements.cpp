@@ -85,7 +85,13 @@ uint32_t windowKind(ir::TemporalKind kind) {
       return kGliderSpread;
     case ir::TemporalKind::Slope:
       return kGliderSlope;
-    default:
+    case ir::TemporalKind::Became:
+    case ir::TemporalKind::Held:
+    case ir::TemporalKind::AtLowest:
+    case ir::TemporalKind::AtHighest:
+    case ir::TemporalKind::Steepest:
+    case ir::TemporalKind::AtSteepest:
+    case ir::TemporalKind::Number:
       break;
   }
   CHECK(false, "not a window over a time or a stretch");
@@ -93,105 +99,105 @@ uint32_t windowKind(ir::TemporalKind kind) {
 
 }  // namespace
 
-void MissionFunctions::assign(Moment& moment, ir::VariableId variable, const z3::expr& value) {
-  moments_.store(moment, moments_.places().variable(variable), value);
+void MissionFunctions::assign(Memory& memory, ir::VariableId variable, const z3::expr& value) {
+  effects_.store(memory, effects_.places().variable(variable), value);
 }
 
-void MissionFunctions::note(Moment& moment, uint32_t kind, const std::string& text,
+void MissionFunctions::note(Memory& memory, uint32_t kind, const std::string& text,
                             const std::vector<z3::expr>& values) {
-  std::vector<z3::expr> all{moments_.word(kind), moments_.address(moments_.places().text(text))};
+  std::vector<z3::expr> all{effects_.word(kind), effects_.address(effects_.places().text(text))};
   all.insert(all.end(), values.begin(), values.end());
-  moments_.command(moment, "gliderNote", all);
+  effects_.command(memory, "gliderNote", all);
 }
 
-void MissionFunctions::run(Moment& moment, ir::BlockId block) {
+void MissionFunctions::run(Memory& memory, ir::BlockId block) {
   if (block.valid()) {
     for (const ir::Statement& statement : mission_[block].statements) {
-      execute(moment, statement);
+      execute(memory, statement);
     }
   }
 }
 
-void MissionFunctions::execute(Moment& moment, const ir::Statement& statement) {
+void MissionFunctions::execute(Memory& memory, const ir::Statement& statement) {
   std::vector<z3::expr> values;
   switch (statement.kind) {
     case ir::StatementKind::Set:
-      return set(moment, statement);
+      return set(memory, statement);
     case ir::StatementKind::If:
-      return choose(moment, statement);
+      return choose(memory, statement);
     case ir::StatementKind::Log:
       for (const ir::ExprId value : statement.values) {
-        values.push_back(expressions_.asNumber(moment, value));
+        values.push_back(expressions_.asNumber(memory, value));
       }
-      return note(moment, kGliderNoteLog, statement.text, values);
+      return note(memory, kGliderNoteLog, statement.text, values);
     case ir::StatementKind::Command:
       values.push_back(context());
       for (const ir::ExprId value : statement.values) {
-        values.push_back(expressions_.number(moment, value));
+        values.push_back(expressions_.number(memory, value));
       }
       return code_.command(
-          moment, std::string(ir::commands().at(static_cast<size_t>(statement.command)).symbol),
+          memory, std::string(ir::commands().at(static_cast<size_t>(statement.command)).symbol),
           values);
   }
 }
 
 /// S1.
-void MissionFunctions::set(Moment& moment, const ir::Statement& statement) {
-  const z3::expr value = expressions_.asNumber(moment, statement.value);
-  Moment refused = moment;
+void MissionFunctions::set(Memory& memory, const ir::Statement& statement) {
+  const z3::expr value = expressions_.asNumber(memory, statement.value);
+  Memory refused = memory;
   note(refused, kGliderNoteUnknownSet, ir::pilotName(mission_, statement.variable), {});
-  assign(moment, statement.variable, value);
-  moment = moments_.either(numbers().isKnown(value), moment, refused);
+  assign(memory, statement.variable, value);
+  memory = effects_.either(numbers().isKnown(value), memory, refused);
 }
 
 /// S2.
-void MissionFunctions::choose(Moment& moment, const ir::Statement& statement) {
-  const MissionExpressions::Value condition = expressions_.valueOf(moment, statement.value);
-  Moment then = moment;
+void MissionFunctions::choose(Memory& memory, const ir::Statement& statement) {
+  const MissionExpressions::Value condition = expressions_.valueOf(memory, statement.value);
+  Memory then = memory;
   run(then, statement.then);
-  Moment otherwise = moment;
+  Memory otherwise = memory;
   run(otherwise, statement.otherwise);
-  moment = moments_.either(condition.is_true, then,
-                           moments_.either(condition.is_false, otherwise, moment));
+  memory = effects_.either(condition.is_true, then,
+                           effects_.either(condition.is_false, otherwise, memory));
 }
 
-void MissionFunctions::watch(Moment& moment, ir::TemporalId id, When when) {
+void MissionFunctions::watch(Memory& memory, ir::TemporalId id, When when) {
   const ir::Temporal& temporal = mission_[id];
   if (ir::isWindow(temporal.kind)) {
-    return advanceWindow(moment, id);
+    return advanceWindow(memory, id);
   }
-  const auto slot = [&](uint32_t number) { return moments_.places().temporal(id, number); };
-  const MissionExpressions::Value operand = expressions_.valueOf(moment, temporal.operand);
+  const auto slot = [&](uint32_t number) { return effects_.places().temporal(id, number); };
+  const MissionExpressions::Value operand = expressions_.valueOf(memory, temporal.operand);
   const z3::expr before =
-      numbers().equal(moments_.load(moment, slot(kBefore)), numbers().constant(1));
+      numbers().equal(effects_.load(memory, slot(kBefore)), numbers().constant(1));
   const z3::expr turned =
-      when == When::Start ? moments_.truth(false) : (operand.is_true && !before).simplify();
+      when == When::Start ? effects_.truth(false) : (operand.is_true && !before).simplify();
   const z3::expr unknown = numbers().unknown();
   const z3::expr truths[] = {numbers().constant(0), numbers().constant(1)};
   if (temporal.kind == ir::TemporalKind::Became) {  // B1, B2, B6, B7
     const z3::expr known = operand.is_true || operand.is_false;
-    moments_.store(moment, slot(kValue),
+    effects_.store(memory, slot(kValue),
                    z3::ite(known, z3::ite(turned, truths[1], truths[0]), unknown).simplify());
   } else {
-    const z3::expr long_enough = held(moment, id, when, turned);
-    moments_.store(
-        moment, slot(kValue),
+    const z3::expr long_enough = held(memory, id, when, turned);
+    effects_.store(
+        memory, slot(kValue),
         z3::ite(operand.is_true, long_enough, z3::ite(operand.is_false, truths[0], unknown))
             .simplify());
   }
-  moments_.store(moment, slot(kBefore), z3::ite(operand.is_true, truths[1], truths[0]).simplify());
+  effects_.store(memory, slot(kBefore), z3::ite(operand.is_true, truths[1], truths[0]).simplify());
 }
 
 /// B3 to B7: whether it has been true for long enough, as a number.
-z3::expr MissionFunctions::held(Moment& moment, ir::TemporalId id, When when,
+z3::expr MissionFunctions::held(Memory& memory, ir::TemporalId id, When when,
                                 const z3::expr& turned) {
-  const Address since = moments_.places().temporal(id, kSince);
-  const z3::expr duration = expressions_.number(moment, mission_[id].duration);
+  const Address since = effects_.places().temporal(id, kSince);
+  const z3::expr duration = expressions_.number(memory, mission_[id].duration);
   const z3::expr from = when == When::Start
-                            ? time(moment)
-                            : z3::ite(turned, time(moment), moments_.load(moment, since));
-  moments_.store(moment, since, from.simplify());
-  const z3::expr so_far = expressions_.since(moment, moments_.load(moment, since));
+                            ? time(memory)
+                            : z3::ite(turned, time(memory), effects_.load(memory, since));
+  effects_.store(memory, since, from.simplify());
+  const z3::expr so_far = expressions_.since(memory, effects_.load(memory, since));
   const z3::expr long_enough = numbers().isKnown(so_far) && !numbers().less(so_far, duration);
   return z3::ite(numbers().isKnown(duration),
                  z3::ite(long_enough, numbers().constant(1), numbers().constant(0)),
@@ -214,59 +220,59 @@ z3::expr MissionFunctions::shape(const ir::Temporal& window) {
     content = fmt::format("{{{},{},{},{},{},0,}}", bits(shape.length), bits(shape.bin), shape.bins,
                           windowKind(shape.kind), shape.stretch ? 1 : 0);
   }
-  return moments_.address(moments_.places().object("constant " + content));
+  return effects_.address(effects_.places().object("constant " + content));
 }
 
-void MissionFunctions::startWindow(Moment& moment, ir::TemporalId id) {
+void MissionFunctions::startWindow(Memory& memory, ir::TemporalId id) {
   const ir::Temporal& window = mission_[id];
-  const Address slot = moments_.places().temporal(id, 0);
+  const Address slot = effects_.places().temporal(id, 0);
   if (window.leg == ir::Leg::None) {
-    moments_.window(moment, "gliderWindowStart", slot, {shape(window), time(moment)});
+    effects_.window(memory, "gliderWindowStart", slot, {shape(window), time(memory)});
   } else {
-    moments_.window(moment,
+    effects_.window(memory,
                     ir::isOfSteepest(window.kind) ? "gliderSteepestStart" : "gliderLegStart", slot,
-                    {time(moment)});
+                    {time(memory)});
   }
 }
 
 /// W1, Y5.
-z3::expr MissionFunctions::fresh(const Moment& moment, const ir::Temporal& window) {
+z3::expr MissionFunctions::fresh(const Memory& memory, const ir::Temporal& window) {
   std::set<uint32_t> sensors;
   addSensors(mission_, window.operand, sensors);
   addSensors(mission_, window.duration, sensors);
   if (window.leg == ir::Leg::None) {
     addSensors(mission_, window.along, sensors);
   }
-  z3::expr none_old = moments_.truth(true);
-  z3::expr one_new = moments_.truth(sensors.empty());
+  z3::expr none_old = effects_.truth(true);
+  z3::expr one_new = effects_.truth(sensors.empty());
   for (const uint32_t sensor : sensors) {
-    const z3::expr age = expressions_.age(moment, {sensor});
+    const z3::expr age = expressions_.age(memory, {sensor});
     const z3::expr old =
         !numbers().isKnown(age) || numbers().less(numbers().constant(kFreshAge), age);
     none_old = none_old && !old;
     one_new = one_new || numbers().equal(age, numbers().constant(0));
   }
-  return z3::ite(none_old && one_new, moments_.word(1), moments_.word(0)).simplify();
+  return z3::ite(none_old && one_new, effects_.word(1), effects_.word(0)).simplify();
 }
 
-void MissionFunctions::advanceWindow(Moment& moment, ir::TemporalId id) {
+void MissionFunctions::advanceWindow(Memory& memory, ir::TemporalId id) {
   const ir::Temporal& window = mission_[id];
-  const Address slot = moments_.places().temporal(id, 0);
-  const z3::expr value = expressions_.number(moment, window.operand);
+  const Address slot = effects_.places().temporal(id, 0);
+  const z3::expr value = expressions_.number(memory, window.operand);
   if (window.leg == ir::Leg::None) {
     const z3::expr along =
-        window.along.valid() ? expressions_.number(moment, window.along) : time(moment);
-    return moments_.window(moment, "gliderWindowAdvance", slot,
-                           {shape(window), time(moment), along, value, fresh(moment, window)});
+        window.along.valid() ? expressions_.number(memory, window.along) : time(memory);
+    return effects_.window(memory, "gliderWindowAdvance", slot,
+                           {shape(window), time(memory), along, value, fresh(memory, window)});
   }
   const z3::expr other =
-      window.duration.valid() ? expressions_.number(moment, window.duration) : value;
-  const z3::expr phase = expressions_.number(moment, window.along);
+      window.duration.valid() ? expressions_.number(memory, window.duration) : value;
+  const z3::expr phase = expressions_.number(memory, window.along);
   const bool of_operand = window.kind == ir::TemporalKind::Steepest;
-  moments_.window(
-      moment, ir::isOfSteepest(window.kind) ? "gliderSteepestAdvance" : "gliderLegAdvance", slot,
-      {shape(window), time(moment), phase, of_operand ? value : other, of_operand ? other : value,
-       fresh(moment, window)});
+  effects_.window(
+      memory, ir::isOfSteepest(window.kind) ? "gliderSteepestAdvance" : "gliderLegAdvance", slot,
+      {shape(window), time(memory), phase, of_operand ? value : other, of_operand ? other : value,
+       fresh(memory, window)});
 }
 
 }  // namespace glider::codegen::validate

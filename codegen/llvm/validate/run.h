@@ -16,7 +16,7 @@ namespace glider::codegen::validate {
 class Run {
  public:
   Run(Code& code, const llvm::Function& function) : code_(code), function_(function) {}
-  Outcome from(const std::vector<z3::expr>& arguments, const Moment& before);
+  Outcome from(const std::vector<z3::expr>& arguments, const Memory& before);
 
  private:
   struct Term {
@@ -26,7 +26,7 @@ class Run {
   /// How a block is reached, and the memory then.
   struct Edge {
     z3::expr when;
-    Moment moment;
+    Memory memory;
     std::map<Address, z3::expr> locals;
   };
 
@@ -69,16 +69,16 @@ class Run {
   z3::sort sortOf(const llvm::Type& type);
   std::vector<z3::expr> arguments(const llvm::CallInst& call, unsigned first);
 
-  Moments& moments() { return code_.moments_; }
-  Numbers& numbers() { return code_.moments_.numbers(); }
-  z3::context& z3() { return code_.moments_.z3(); }
+  Effects& effects() { return code_.effects_; }
+  Numbers& numbers() { return code_.effects_.numbers(); }
+  z3::context& z3() { return code_.effects_.z3(); }
 
   Code& code_;
   const llvm::Function& function_;
   llvm::DenseMap<const llvm::Value*, Term> terms_;
   std::map<const llvm::BasicBlock*, std::vector<std::pair<const llvm::BasicBlock*, Edge>>> edges_;
-  z3::expr here_{code_.moments_.z3()};  ///< whether the block is reached
-  Moment moment_{{}, z3::expr(code_.moments_.z3())};
+  z3::expr here_{code_.effects_.z3()};  ///< whether the block is reached
+  Memory memory_{{}, z3::expr(code_.effects_.z3())};
   std::set<Address> frames_;            ///< the function's own objects
   std::map<Address, z3::expr> locals_;  ///< the function's own memory
 };

@@ -6,6 +6,7 @@
 #include "codegen/llvm/lower/abi_types.h"
 #include "ir/core/ops.h"
 #include "runtime/abi/glider_abi.h"
+#include "support/check.h"
 
 #include <fmt/format.h>
 #include <llvm/IR/Constants.h>
@@ -97,16 +98,18 @@ void compareCases(const std::vector<ir::Case>& cases, const llvm::Constant* list
 }
 
 GliderSource sourceOf(const ir::Expr& value) {
-  switch (value.op) {
-    case ir::Op::MissionTime:
-      return kGliderMissionTime;
-    case ir::Op::StateTime:
-      return kGliderStateTime;
-    case ir::Op::ResumeTime:
-      return kGliderResumeTime;
-    default:
-      return kGliderSensor;
+  if (value.op == ir::Op::Sensor) {
+    return kGliderSensor;
   }
+  switch (ir::opIn<ir::ClockOp>(value.op)) {
+    case ir::ClockOp::MissionTime:
+      return kGliderMissionTime;
+    case ir::ClockOp::StateTime:
+      return kGliderStateTime;
+    case ir::ClockOp::ResumeTime:
+      return kGliderResumeTime;
+  }
+  CHECK(false, "a value that cannot be logged");
 }
 
 void compareLog(const ir::Mission& mission, const ir::State& state, const llvm::Constant* list,

@@ -64,29 +64,29 @@ class Part {
     z3::context z3;
     validate::Numbers numbers(z3);
     validate::Places places(mission_, index_, types_, module_.getDataLayout());
-    validate::Moments moments(numbers, places);
-    validate::Code code(moments, module_, short_ones_);
+    validate::Effects effects(numbers, places);
+    validate::Code code(effects, module_, short_ones_);
     validate::MissionFunctions meaning(code, mission_, index_);
     const z3::expr word = z3.bv_const("word", 32);
     const Outcome says = meant(meaning, word);
-    return validate::compare(moments, what, says, done(code, function, says, word));
+    return validate::compare(effects, what, says, done(code, function, says, word));
   }
 
   /// What the code does. One that is missing does nothing and answers that no case fires.
   static Outcome done(validate::Code& code, const llvm::Function* function, const Outcome& says,
                       const z3::expr& word) {
-    validate::Moments& moments = code.moments();
+    validate::Effects& effects = code.effects();
     if (function == nullptr) {
       const bool answers = !says.result.is_numeral() || says.result.get_numeral_uint64() != 0;
-      return {moments.word(answers ? GLIDER_NO_CASE : 0), moments.first()};
+      return {effects.word(answers ? GLIDER_NO_CASE : 0), effects.first()};
     }
-    std::vector<z3::expr> arguments{moments.address(moments.places().object("context"))};
+    std::vector<z3::expr> arguments{effects.address(effects.places().object("context"))};
     if (function->arg_size() > 1) {
       arguments.push_back(function->getArg(1)->getType()->isPointerTy()
-                              ? moments.address(moments.places().object("nap"))
+                              ? effects.address(effects.places().object("nap"))
                               : word);
     }
-    return code.run(*function, arguments, moments.first());
+    return code.run(*function, arguments, effects.first());
   }
 
   const ir::Mission& mission_;

@@ -13,7 +13,7 @@
 namespace glider::codegen::validate {
 
 /// The memory at one place in a function, as terms over what it was when the function began.
-struct Moment {
+struct Memory {
   std::map<Address, z3::expr> cells;  ///< what may have changed
   /// All that only the runtime's functions and the user's read and change: commands, notes, C code.
   z3::expr world;
@@ -21,27 +21,27 @@ struct Moment {
 
 /// What mission and code do to memory: the same for both. The functions that they call are
 /// contracts: of each is known what it may change, of what that depends, and nothing else.
-class Moments {
+class Effects {
  public:
   /// Both outlive this.
-  Moments(Numbers& numbers, Places& places);
+  Effects(Numbers& numbers, Places& places);
 
   /// When the function begins: any memory in which truth values are 0, 1 or unknown, and readings
   /// and times are never -0, as the runtime leaves it.
-  Moment first();
-  z3::expr load(const Moment& moment, Address address);
-  void store(Moment& moment, Address address, const z3::expr& value);
+  Memory first();
+  z3::expr load(const Memory& memory, Address address);
+  void store(Memory& memory, Address address, const z3::expr& value);
   /// `a` if `condition` holds, else `b`.
-  Moment either(const z3::expr& condition, const Moment& a, const Moment& b);
+  Memory either(const z3::expr& condition, const Memory& a, const Memory& b);
 
   /// A function of the runtime that returns nothing and changes the world.
-  void command(Moment& moment, const std::string& name, const std::vector<z3::expr>& arguments);
+  void command(Memory& memory, const std::string& name, const std::vector<z3::expr>& arguments);
   /// The user's function: its result may be anything, and depend on anything but the context.
-  z3::expr foreign(Moment& moment, const std::string& name, const std::vector<z3::expr>& arguments);
+  z3::expr foreign(Memory& memory, const std::string& name, const std::vector<z3::expr>& arguments);
   /// A function of runtime/numbers: its result depends on the arguments alone, and is settled.
   z3::expr pure(const std::string& name, const std::vector<z3::expr>& arguments);
   /// A function of the window whose memory begins at `slot`.
-  void window(Moment& moment, const std::string& name, Address slot,
+  void window(Memory& memory, const std::string& name, Address slot,
               const std::vector<z3::expr>& arguments);
 
   z3::expr address(Address address) { return z3().bv_val(address, 64); }
@@ -65,14 +65,14 @@ class Moments {
 /// What a function does: the number that it returns (0 of one that returns nothing), and memory.
 struct Outcome {
   z3::expr result;
-  Moment moment;
+  Memory memory;
 };
 
 /// The ways out of a function, each with the condition under which it is taken; no two are taken.
 class WaysOut {
  public:
-  explicit WaysOut(Moments& moments) : moments_(moments) {}
-  void add(const z3::expr& when, const z3::expr& result, const Moment& moment);
+  explicit WaysOut(Effects& effects) : effects_(effects) {}
+  void add(const z3::expr& when, const z3::expr& result, const Memory& memory);
   /// Throws Undecided if there is none.
   Outcome together();
 
@@ -81,7 +81,7 @@ class WaysOut {
     z3::expr when;
     Outcome outcome;
   };
-  Moments& moments_;
+  Effects& effects_;
   std::vector<Way> ways_;
 };
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glidercc authors
 // SPDX-License-Identifier: Apache-2.0
 
-#include "codegen/llvm/validate/moment.h"
+#include "codegen/llvm/validate/memory.h"
 
 #include "codegen/llvm/validate/undecided.h"
 
@@ -11,17 +11,17 @@
 
 namespace glider::codegen::validate {
 
-Moments::Moments(Numbers& numbers, Places& places)
+Effects::Effects(Numbers& numbers, Places& places)
     : numbers_(numbers),
       places_(places),
       world_(numbers.z3().array_sort(numbers.z3().bv_sort(64), numbers.z3().bv_sort(64))) {}
 
-Moment Moments::first() {
+Memory Effects::first() {
   return {{}, z3().constant("world", world_)};
 }
 
 /// With what the runtime keeps to when it writes such a cell.
-z3::expr Moments::initially(Address address) {
+z3::expr Effects::initially(Address address) {
   const auto found = initial_.find(address);
   if (found != initial_.end()) {
     return found->second;
@@ -42,33 +42,33 @@ z3::expr Moments::initially(Address address) {
   return value;
 }
 
-z3::expr Moments::load(const Moment& moment, Address address) {
+z3::expr Effects::load(const Memory& memory, Address address) {
   const Cell cell = places_.at(address);
   if (!cell.of_vehicle) {
-    const z3::expr held = z3::select(moment.world, this->address(address));
+    const z3::expr held = z3::select(memory.world, this->address(address));
     return cell.bytes == sizeof(double) ? numbers_.canonical(held) : held.extract(31, 0);
   }
-  const auto found = moment.cells.find(address);
-  return found != moment.cells.end() ? found->second : initially(address);
+  const auto found = memory.cells.find(address);
+  return found != memory.cells.end() ? found->second : initially(address);
 }
 
-void Moments::store(Moment& moment, Address address, const z3::expr& value) {
+void Effects::store(Memory& memory, Address address, const z3::expr& value) {
   const Cell cell = places_.at(address);
   if (value.get_sort().bv_size() != cell.bytes * 8 || cell.kind == CellKind::Hidden) {
     throw Undecided("a store of another size than what is there");
   }
   const z3::expr kept = cell.bytes == sizeof(double) ? numbers_.canonical(value) : value;
   if (!cell.of_vehicle) {
-    moment.world = z3::store(moment.world, this->address(address),
+    memory.world = z3::store(memory.world, this->address(address),
                              cell.bytes == sizeof(double) ? kept : z3::zext(kept, 32));
     return;
   }
-  moment.cells.insert_or_assign(address, kept);
+  memory.cells.insert_or_assign(address, kept);
 }
 
-Moment Moments::either(const z3::expr& condition, const Moment& a, const Moment& b) {
+Memory Effects::either(const z3::expr& condition, const Memory& a, const Memory& b) {
   std::set<Address> changed;
-  for (const Moment* one : {&a, &b}) {
+  for (const Memory* one : {&a, &b}) {
     for (const auto& [address, value] : one->cells) {
       changed.insert(address);
     }
@@ -76,7 +76,7 @@ Moment Moments::either(const z3::expr& condition, const Moment& a, const Moment&
   auto choose = [&](const z3::expr& yes, const z3::expr& no) {
     return z3::eq(yes, no) ? yes : z3::ite(condition, yes, no).simplify();
   };
-  Moment result{{}, choose(a.world, b.world)};
+  Memory result{{}, choose(a.world, b.world)};
   for (const Address address : changed) {
     const z3::expr value = choose(load(a, address), load(b, address));
     if (places_.at(address).bytes == sizeof(double)) {
@@ -87,42 +87,42 @@ Moment Moments::either(const z3::expr& condition, const Moment& a, const Moment&
   return result;
 }
 
-void Moments::command(Moment& moment, const std::string& name,
+void Effects::command(Memory& memory, const std::string& name,
                       const std::vector<z3::expr>& arguments) {
-  std::vector<z3::expr> all{moment.world};
+  std::vector<z3::expr> all{memory.world};
   all.insert(all.end(), arguments.begin(), arguments.end());
-  moment.world = numbers_.call(fmt::format("{}/{}", name, arguments.size()), world_, all);
+  memory.world = numbers_.call(fmt::format("{}/{}", name, arguments.size()), world_, all);
 }
 
-z3::expr Moments::foreign(Moment& moment, const std::string& name,
+z3::expr Effects::foreign(Memory& memory, const std::string& name,
                           const std::vector<z3::expr>& arguments) {
-  std::vector<z3::expr> all{moment.world};
+  std::vector<z3::expr> all{memory.world};
   all.insert(all.end(), arguments.begin(), arguments.end());
   const z3::expr result = numbers_.call("result of " + name, z3().bv_sort(64), all);
-  command(moment, name, arguments);
+  command(memory, name, arguments);
   return result;
 }
 
-z3::expr Moments::pure(const std::string& name, const std::vector<z3::expr>& arguments) {
+z3::expr Effects::pure(const std::string& name, const std::vector<z3::expr>& arguments) {
   return numbers_.settle(numbers_.numberOf(name, arguments));
 }
 
-void Moments::window(Moment& moment, const std::string& name, Address slot,
+void Effects::window(Memory& memory, const std::string& name, Address slot,
                      const std::vector<z3::expr>& arguments) {
   const Address content = slot + sizeof(double);
   if (places_.at(slot).kind != CellKind::Number || places_.at(content).kind != CellKind::Hidden) {
     throw Undecided("a window's function gets something else than a window");
   }
-  std::vector<z3::expr> all{load(moment, slot), load(moment, content)};
+  std::vector<z3::expr> all{load(memory, slot), load(memory, content)};
   all.insert(all.end(), arguments.begin(), arguments.end());
   const z3::expr value = numbers_.numberOf(name + " gives", all);
-  moment.cells.insert_or_assign(content, numbers_.numberOf(name + " keeps", all));
-  moment.cells.insert_or_assign(slot, value);
+  memory.cells.insert_or_assign(content, numbers_.numberOf(name + " keeps", all));
+  memory.cells.insert_or_assign(slot, value);
 }
 
-void WaysOut::add(const z3::expr& when, const z3::expr& result, const Moment& moment) {
+void WaysOut::add(const z3::expr& when, const z3::expr& result, const Memory& memory) {
   if (!when.is_false()) {
-    ways_.push_back({when, {result, moment}});
+    ways_.push_back({when, {result, memory}});
   }
 }
 
@@ -133,7 +133,7 @@ Outcome WaysOut::together() {
   Outcome outcome = ways_.back().outcome;
   for (auto way = ways_.rbegin() + 1; way != ways_.rend(); ++way) {
     outcome.result = z3::ite(way->when, way->outcome.result, outcome.result).simplify();
-    outcome.moment = moments_.either(way->when, way->outcome.moment, outcome.moment);
+    outcome.memory = effects_.either(way->when, way->outcome.memory, outcome.memory);
   }
   return outcome;
 }

@@ -63,7 +63,8 @@ void readMachine(TomlReader& reader, Board& board) {
   }
   board.relocation = relocation == "pic" ? Relocation::PositionIndependent : Relocation::Static;
   board.clang_flags = reader.texts("clang_flags");
-  (void)reader.texts("system_flags");  // for the build of glidercc alone
+  (void)reader.texts("system_flags");  // these two for the build of glidercc alone
+  (void)reader.texts("system_passes");
   board.max_executable_bytes = readLimit(reader, "max_executable_bytes");
   board.max_memory_bytes = readLimit(reader, "max_memory_bytes");
   board.max_stack_bytes = readLimit(reader, "max_stack_bytes");
@@ -128,8 +129,9 @@ support::Result<Board> loadBoard(const std::filesystem::path& path) {
   board.folder = path.parent_path();
   TomlReader top(file, *root, "the board");
   top.only({"name", "description", "triple", "cpu", "features", "float_abi", "relocation",
-            "clang_flags", "system_flags", "max_executable_bytes", "max_memory_bytes",
-            "max_stack_bytes", "max_tick_instructions", "power", "kernel", "emulator", "link"});
+            "clang_flags", "system_flags", "system_passes", "max_executable_bytes",
+            "max_memory_bytes", "max_stack_bytes", "max_tick_instructions", "power", "kernel",
+            "emulator", "link"});
   board.name = top.text("name");
   board.description = top.text("description");
   readMachine(top, board);

@@ -74,8 +74,7 @@ bool Card::spawn() {
     close(nudges[1]);
     return false;
   }
-  // Not fork(), which also handles threads and a heap: this program has neither.
-  const pid_t process = _Fork();
+  const pid_t process = copyProcess();
   if (process == 0) {
     close(nudges[1]);
     close(answers[0]);

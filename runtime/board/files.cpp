@@ -96,7 +96,7 @@ void holdStandardFiles() {
 void say(const char* const* pieces) {
   for (; *pieces != nullptr; ++pieces) {
     // On a vehicle standard error may not be connected.
-    (void)!write(STDERR_FILENO, *pieces, strlen(*pieces));
+    (void)!write(STDERR_FILENO, *pieces, lengthOf(*pieces));
   }
 }
 
@@ -128,7 +128,7 @@ const char* readFile(const char* path, char* bytes, uint32_t capacity, uint32_t&
 GliderLogSink openLog(const char* path, uint32_t limit) {
   static LogFile file;
   static constexpr char kOlder[] = ".old";
-  const size_t length = strlen(path);
+  const size_t length = lengthOf(path);
   if (length + sizeof kOlder > sizeof file.older) {
     tell("warning: the name of the log `", path, "` is too long; the mission flies without");
     return {};

@@ -5,8 +5,10 @@
 
 #include <fcntl.h>
 #include <signal.h>
+#include <stddef.h>
 #include <stdint.h>
 #include <sys/syscall.h>
+#include <sys/types.h>
 #include <unistd.h>
 
 /// Replacements for functions of the C library that would need much more code on a board.
@@ -19,6 +21,21 @@ inline void ignoreSignal(int number) {
   const uintptr_t action[8] = {kIgnore};
   constexpr long kMaskBytes = 8;
   (void)syscall(SYS_rt_sigaction, number, action, nullptr, kMaskBytes);
+}
+
+/// fork for a program without threads, handlers of signals and a heap, which the C library's
+/// handles too. The number of the new process, in that 0; -1 with errno.
+inline pid_t copyProcess() {
+  return static_cast<pid_t>(syscall(SYS_clone, long{SIGCHLD}, nullptr, nullptr, nullptr, nullptr));
+}
+
+/// strlen, a byte at a time.
+inline size_t lengthOf(const char* text) {
+  const char* end = text;
+  while (*end != '\0') {
+    ++end;
+  }
+  return static_cast<size_t>(end - text);
 }
 
 /// fcntl for a number, with its result.

@@ -97,21 +97,4 @@ void waitForLine(int descriptor) {
   }
 }
 
-void sleepBoard(const Options& options) {
-  if (options.sleep == nullptr) {
-    return;
-  }
-  (void)poll(nullptr, 0, kSentMs);
-  static bool told = false;
-  const int file = open(options.sleep, O_WRONLY);
-  static constexpr char kToRam[] = {'m', 'e', 'm', '\n'};
-  if ((file < 0 || write(file, kToRam, sizeof kToRam) != sizeof kToRam) && !told) {
-    tell("warning: cannot sleep by `", options.sleep, "`");
-    told = true;
-  }
-  if (file >= 0) {
-    (void)close(file);
-  }
-}
-
 }  // namespace glider::runtime

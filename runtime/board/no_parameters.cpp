@@ -17,6 +17,11 @@ bool Launch::assign(uint32_t /*parameter*/, const Piece& /*name*/, const Piece& 
   return false;
 }
 
+/// Only parameters have conditions.
+bool Launch::check() {
+  return true;
+}
+
 void Launch::listNames(Text& /*text*/) const {}
 
 void tellParameters(const GliderMission& /*mission*/) {}

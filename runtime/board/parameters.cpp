@@ -4,8 +4,7 @@
 #include "runtime/board/parameters.h"
 
 #include "runtime/board/files.h"
-
-#include <string.h>
+#include "runtime/board/kernel.h"
 
 namespace glider::runtime {
 namespace {
@@ -34,7 +33,7 @@ bool setParameters(const Options& options, Launch& launch) {
   }
   for (uint32_t i = 0; i < options.setting_count; ++i) {
     const char* setting = options.settings[i];
-    if (!launch.set({setting, setting + strlen(setting)})) {
+    if (!launch.set({setting, setting + lengthOf(setting)})) {
       tell("error: ", launch.problem());
       return false;
     }

@@ -37,24 +37,26 @@ class MissionClock {
   /// The vehicle's frame with cycle number `cycle` has arrived: returns mission time, s. A vehicle
   /// that restarted its own mission counts from 0 again, and one with a broken clock from any
   /// value; mission time then continues from where it was, by the SBC's own clock.
-  /// `kept`: the vehicle has kept it while the SBC slept, and newer ones follow at once.
-  double atFrame(double vehicle_time, uint32_t cycle, double sbc_time, bool kept = false) {
+  double atFrame(double vehicle_time, uint32_t cycle, double sbc_time) {
     const double reached = missionAt(vehicle_) + silence_;
-    const uint32_t cycles = cycle > cycle_ ? cycle - cycle_ : 1;
-    const double passed = vehicle_time - vehicle_;
-    const bool behind = !kept && reached - missionAt(vehicle_time) > kMostSilence;
-    if (!(passed >= 0 && passed <= kMostCycle * cycles) || behind) {
-      const double here =
-          kept ? earlier(kCycle * cycles, kMostSilence) : passedHere(sbc_time) + asleep_;
-      anchor_ = {vehicle_time, reached + here};
+    if (!follows(vehicle_time, cycle) || reached - missionAt(vehicle_time) > kMostSilence) {
+      anchor_ = {vehicle_time, reached + (passedHere(sbc_time) + asleep_)};
     }
-    // When a kept frame was made is known by the vehicle's time alone.
-    sbc_ = kept ? earlier(sbc_ + (passed > 0 ? passed : 0), sbc_time) : sbc_time;
-    most_ = kept ? most_ : kMostSilence;
-    cycle_ = cycle;
-    vehicle_ = vehicle_time;
-    silence_ = asleep_ = 0;
-    return missionAt(vehicle_time);
+    sbc_ = sbc_time;
+    most_ = kMostSilence;
+    return take(vehicle_time, cycle);
+  }
+
+  /// The same for one that the vehicle has kept while the SBC slept; newer ones follow at once.
+  /// When it was made is known by the vehicle's time alone.
+  double atKeptFrame(double vehicle_time, uint32_t cycle, double sbc_time) {
+    const double reached = missionAt(vehicle_) + silence_;
+    const double passed = vehicle_time - vehicle_;
+    if (!follows(vehicle_time, cycle)) {
+      anchor_ = {vehicle_time, reached + earlier(kCycle * cyclesUntil(cycle), kMostSilence)};
+    }
+    sbc_ = earlier(sbc_ + (passed > 0 ? passed : 0), sbc_time);
+    return take(vehicle_time, cycle);
   }
 
   /// The SBC sleeps for up to `seconds` from now: so much longer may there be no frame.
@@ -87,6 +89,21 @@ class MissionClock {
   [[nodiscard]] double passedHere(double sbc_time) const {
     const double passed = sbc_time - sbc_;
     return passed > most_ ? most_ : passed > 0 ? passed : 0;
+  }
+  /// Cycles from the newest frame to that with this number; 1 if it is not known.
+  [[nodiscard]] uint32_t cyclesUntil(uint32_t cycle) const {
+    return cycle > cycle_ ? cycle - cycle_ : 1;
+  }
+  /// Whether that may be the vehicle's time in the frame with this number, after the newest.
+  [[nodiscard]] bool follows(double vehicle_time, uint32_t cycle) const {
+    const double passed = vehicle_time - vehicle_;
+    return passed >= 0 && passed <= kMostCycle * cyclesUntil(cycle);
+  }
+  double take(double vehicle_time, uint32_t cycle) {
+    cycle_ = cycle;
+    vehicle_ = vehicle_time;
+    silence_ = asleep_ = 0;
+    return missionAt(vehicle_time);
   }
   static double earlier(double a, double b) { return a < b ? a : b; }
   [[nodiscard]] double missionAt(double vehicle_time) const {

@@ -6,12 +6,13 @@
 #include "hooks/client/client.h"
 #include "runtime/abi/glider_abi.h"
 #include "runtime/core/link_log.h"
+#include "runtime/core/mission_clock.h"
 
 #include <stdint.h>
 
 /// Lets the SBC sleep between ticks whose effect is known before, if its line `nap at most` and the
 /// vehicle allow it. What does that is reached only by a pointer of the mission (GliderNaps), so
-/// that other missions do not link it.
+/// that other missions do not link it; or board/no_naps.cpp takes its place in their programs.
 namespace glider::runtime {
 
 /// What is kept from tick to tick.
@@ -33,6 +34,10 @@ struct NapTick {
   bool commands = false;  ///< it led to a command
   bool settled = false;   ///< the vehicle obeys, and no instruction waits
 };
+
+/// Whether the vehicle has kept this frame while the SBC slept: then `mission_time` is that of it.
+bool takeKeptFrame(MissionClock& clock, const hooks::VehicleTick& tick, double sbc_time,
+                   double& mission_time);
 
 /// How many sensors of the vehicle it needs that the mission may not have.
 inline uint32_t sensorsForNaps(const GliderMission& mission) {

@@ -155,7 +155,7 @@ void GliderRuntime::answerTick(const GliderByteStream& stream, double sbc_time) 
   const bool may_begin = context_ == nullptr && mayBegin(tick);
   const uint32_t count = gatherUpdates();
   if (context_ != nullptr) {
-    stepMission(clock_.atFrame(tick.vehicle_time_s, tick.cycle, sbc_time, tick.kept), count);
+    stepMission(missionTimeAt(tick, sbc_time), count);
   } else if (may_begin) {
     clock_.start(tick.vehicle_time_s, sbc_time);
     startMission(count);
@@ -182,6 +182,13 @@ void GliderRuntime::answerTick(const GliderByteStream& stream, double sbc_time) 
   if (!hasFailed()) {
     client_.done(status(), stream);
   }
+}
+
+double GliderRuntime::missionTimeAt(const glider::hooks::VehicleTick& tick, double sbc_time) {
+  double time = 0;
+  return glider::runtime::takeKeptFrame(clock_, tick, sbc_time, time)
+             ? time
+             : clock_.atFrame(tick.vehicle_time_s, tick.cycle, sbc_time);
 }
 
 /// Of a mission that does not continue from a checkpoint.

@@ -61,6 +61,7 @@ struct GliderRuntime {
   }
   bool isBroken();
   [[nodiscard]] bool hasFailed() const { return memory().failed_checks != 0; }
+  double missionTimeAt(const glider::hooks::VehicleTick& tick, double sbc_time);
   bool mayBegin(const glider::hooks::VehicleTick& tick);
   void tryToGoOn(const glider::hooks::VehicleTick& tick, double sbc_time);
   void answerTick(const GliderByteStream& stream, double sbc_time);

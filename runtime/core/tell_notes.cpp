@@ -3,8 +3,6 @@
 
 #include "runtime/core/tell_notes.h"
 
-#include "runtime/log/format.h"
-
 namespace glider::runtime {
 namespace {
 
@@ -12,11 +10,7 @@ namespace {
 void writeNote(const GliderContext& context, const GliderNote& note, char* out) {
   Text text(out, hooks::kMostNoteBytes);
   text.put(note.text);
-  for (uint32_t i = 0; i < note.count; ++i) {
-    const double value = context.note_values[note.first + i];
-    text.put(' ');
-    value == value ? text.put(value) : text.put("unknown");
-  }
+  writeValues(context, note, text);
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include "runtime/front_seat/story.h"
 
 #include "hooks/protocol/decimal.h"
+#include "runtime/log/format.h"
 
 namespace glider::runtime {
 namespace {
@@ -27,13 +28,8 @@ class Words {
   }
   Words& whole(uint32_t value) {
     char digits[11];
-    char* first = digits + sizeof digits - 1;
-    *first = '\0';
-    do {
-      *--first = static_cast<char>('0' + value % 10);
-      value /= 10;
-    } while (value != 0);
-    return word(first);
+    digits[formatCount(value, digits)] = '\0';
+    return word(digits);
   }
   [[nodiscard]] uint32_t size() const { return size_; }
 

@@ -16,8 +16,8 @@ Launch::Launch(const GliderMission& mission) : mission_(mission) {
 }
 
 bool Launch::set(const Piece& setting) {
-  const auto* equals = static_cast<const char*>(memchr(setting.begin, '=', setting.size()));
-  if (equals == nullptr) {
+  const char* equals = setting.find('=');
+  if (equals == setting.end) {
     Text text(problem_, kProblemBytes);
     quote(text, setting.trimmed()).put(" sets nothing; write `name=value`");
     return refuse(text);
@@ -35,33 +35,13 @@ bool Launch::setAll(const char* file_name, const Piece& content) {
   bool good = true;
   for (const char* begin = content.begin; good && begin != content.end;) {
     ++line_;
-    const auto size = static_cast<size_t>(content.end - begin);
-    const auto* newline = static_cast<const char*>(memchr(begin, '\n', size));
-    const char* end = newline != nullptr ? newline : content.end;
-    const auto* comment =
-        static_cast<const char*>(memchr(begin, '#', static_cast<size_t>(end - begin)));
-    const Piece setting = Piece{begin, comment != nullptr ? comment : end}.trimmed();
+    const char* end = Piece{begin, content.end}.find('\n');
+    const Piece setting = Piece{begin, Piece{begin, end}.find('#')}.trimmed();
     good = setting.empty() || set(setting);
-    begin = newline != nullptr ? newline + 1 : content.end;
+    begin = end != content.end ? end + 1 : end;
   }
   file_ = nullptr;
   return good;
-}
-
-bool Launch::check() {
-  // A condition reads nothing but parameters.
-  GliderContext context{};
-  context.mission = &mission_;
-  context.variables = values_;
-  const uint32_t failed =
-      mission_.condition != nullptr ? mission_.condition(&context) : GLIDER_NO_CASE;
-  return failed == GLIDER_NO_CASE || refuseWhere(failed);
-}
-
-bool Launch::refuseWhere(uint32_t failed) {
-  Text text(problem_, kProblemBytes);
-  text.put("the parameters do not satisfy `where` number ").putCount(failed + 1);
-  return refuse(text);
 }
 
 bool Launch::refuseUnknown(const Piece& name) {

@@ -28,7 +28,8 @@ class Launch {
   bool set(const Piece& setting);
   /// Takes the lines of a file, `name = value`, with comments from # on.
   bool setAll(const char* file_name, const Piece& content);
-  /// Checks whether the parameters together satisfy the mission's `where` conditions.
+  /// Checks whether the parameters together satisfy the mission's `where` conditions. Like those
+  /// below, it differs in programs of missions without parameters.
   bool check();
   /// Always false, with a problem(): `where` number `failed`, from 0, is not satisfied.
   bool refuseWhere(uint32_t failed);

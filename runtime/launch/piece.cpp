@@ -14,6 +14,14 @@ bool isBlank(char c) {
 
 }  // namespace
 
+const char* Piece::find(char c) const {
+  const char* place = begin;
+  while (place != end && *place != c) {
+    ++place;
+  }
+  return place;
+}
+
 Piece Piece::trimmed() const {
   Piece piece = *this;
   while (!piece.empty() && isBlank(*piece.begin)) {

@@ -15,6 +15,8 @@ struct Piece {
 
   [[nodiscard]] uint32_t size() const { return static_cast<uint32_t>(end - begin); }
   [[nodiscard]] bool empty() const { return begin == end; }
+  /// Where `c` is in it first; `end`: nowhere.
+  [[nodiscard]] const char* find(char c) const;
   /// The same without the spaces at both ends.
   [[nodiscard]] Piece trimmed() const;
   /// True if it equals `text`, which ends with a zero.

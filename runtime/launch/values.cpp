@@ -130,6 +130,22 @@ uint32_t Launch::find(const Piece& name) const {
   return kMostParameters;
 }
 
+bool Launch::check() {
+  // A condition reads nothing but parameters.
+  GliderContext context{};
+  context.mission = &mission_;
+  context.variables = values_;
+  const uint32_t failed =
+      mission_.condition != nullptr ? mission_.condition(&context) : GLIDER_NO_CASE;
+  return failed == GLIDER_NO_CASE || refuseWhere(failed);
+}
+
+bool Launch::refuseWhere(uint32_t failed) {
+  Text text(problem_, kProblemBytes);
+  text.put("the parameters do not satisfy `where` number ").putCount(failed + 1);
+  return refuse(text);
+}
+
 bool Launch::assign(uint32_t parameter, const Piece& name, const Piece& given) {
   return name.is(mission_.parameters[parameter].name) ? assignOne(parameter, given)
                                                       : assignPosition(parameter, given);

@@ -544,13 +544,14 @@ TEST(Command, ABoardsProgramWithoutParametersRefusesAll) {
   EXPECT_THAT(file.err, HasSubstr("error: f:2: the mission has no parameter `top`"));
 }
 
-/// The mission of the paper, on the boards of then.
+/// The mission of the paper, to the next 64 bytes: what makes it larger needs a reason.
 TEST(Command, Figure2StaysSmall) {
-  for (const auto& [board, kibibytes] : {std::pair("ts7800", 57), std::pair("ts5500", 64)}) {
+  for (const auto& [board, bytes] : {std::pair("ts7800", 51264), std::pair("ts5500", 48704),
+                                     std::pair("pizero2", 53376), std::pair("cm4", 49216)}) {
     const Outcome built = runShell("$GLIDERCC build " + kMissionOfThePaper + " --target " + board +
                                    " -o small > /dev/null && wc -c < small");
     EXPECT_EQ(built.status, 0) << built.err;
-    EXPECT_LE(std::stol(built.out), kibibytes * 1024) << board;
+    EXPECT_LE(std::stol(built.out), bytes) << board;
   }
 }
 

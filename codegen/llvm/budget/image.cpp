@@ -118,6 +118,7 @@ struct Image::Parts {
   void doubtCounts(const std::set<uint64_t>& targets);
   void doubtPointers(const std::set<uint64_t>& held);
   void findTaken();
+  [[nodiscard]] bool isThumbCode(uint64_t place) const;
   [[nodiscard]] std::set<uint64_t> words() const;
   [[nodiscard]] std::optional<uint32_t> wordAt(uint64_t address) const { return read(address, 4); }
   [[nodiscard]] std::optional<uint32_t> read(uint64_t address, uint32_t size) const;
@@ -172,8 +173,16 @@ void Image::Parts::readSegments() {
   }
 }
 
-/// All loaded words, except distances from a place in the code: those are not addresses, although
-/// the numbers may be the same.
+/// Whether a word is instructions in Thumb: two of them may look like an address, as `movs r0, #1`
+/// and `lsls r1, r0, #8` do.
+bool Image::Parts::isThumbCode(uint64_t place) const {
+  const auto after = std::ranges::upper_bound(code, place, {}, &Instruction::address);
+  return after != code.begin() && place < std::prev(after)->address + std::prev(after)->size &&
+         stretches.encoding(place) == Encoding::Thumb;
+}
+
+/// All loaded words, except instructions in Thumb, and distances from a place in the code: those
+/// are not addresses, although the numbers may be the same.
 std::set<uint64_t> Image::Parts::words() const {
   const std::set<uint64_t> distances = distancesIn(code);
   std::set<uint64_t> held;
@@ -181,7 +190,7 @@ std::set<uint64_t> Image::Parts::words() const {
     for (uint64_t place = 0; place + sizeof(uint32_t) <= segment.size; place += sizeof(uint32_t)) {
       uint32_t word = 0;  // the processors of both boards and of this machine are little-endian
       std::memcpy(&word, segment.bytes + place, sizeof word);
-      if (!distances.contains(segment.address + place)) {
+      if (!distances.contains(segment.address + place) && !isThumbCode(segment.address + place)) {
         held.insert(word);
       }
     }

@@ -62,7 +62,8 @@ std::vector<std::string> arguments(const LinkJob& job, const Board& board,
   } else {
     // Beyond every number that code is likely to contain: what bounds the stack takes a number that
     // is a function's address for a pointer to it.
-    add({"-static", "--image-base=0x2000000"});
+    // None is made read-only when it starts, so nothing is apart for that.
+    add({"-static", "--image-base=0x2000000", "-z", "norelro"});
   }
   all.insert(all.end(), board.link.options.begin(), board.link.options.end());
   if (!job.keep_debug) {

@@ -93,6 +93,27 @@ std::string parameterPart(const Recipe& recipe) {
   return infos.empty() ? "no_parameters" : dated ? "dated_parameters" : "parameters";
 }
 
+/// Whether a note has values, which are then written as text: of the mission, or perhaps of a
+/// profile or route in C.
+bool logsValues(const ir::Mission& mission) {
+  const auto logs = [](const ir::Statement& statement) {
+    return statement.kind == ir::StatementKind::Log && !statement.values.empty();
+  };
+  const auto hasLog = [&](const ir::Block& block) {
+    return std::ranges::any_of(block.statements, logs);
+  };
+  const auto isInC = [](const ir::Behaviour& behaviour) { return !behaviour.symbol.empty(); };
+  return std::ranges::any_of(mission.blocks, hasLog) ||
+         std::ranges::any_of(mission.behaviours, isInC);
+}
+
+/// The parts of the runtime beside the main program that depend on what the mission uses.
+std::vector<std::string> optionalParts(const Recipe& recipe) {
+  const ir::Mission& mission = recipe.input.mission;
+  return {parameterPart(recipe), mission.nap_s ? "naps" : "no_naps",
+          logsValues(mission) ? "note_values" : "no_note_values"};
+}
+
 /// The part of the runtime that speaks to the vehicle.
 std::string dialectPart(const Recipe& recipe) {
   return recipe.options.port                  ? "extctl"
@@ -130,13 +151,22 @@ Result<void> addDialect(llvm::Module& module, const Recipe& recipe) {
   return {};
 }
 
+/// The optional parts as files that end so.
+std::vector<std::filesystem::path> filesOf(const Recipe& recipe, const std::string& extension) {
+  std::vector<std::filesystem::path> files;
+  for (const std::string& part : optionalParts(recipe)) {
+    files.push_back(recipe.board.folder / (part + extension));
+  }
+  return files;
+}
+
 Result<void> bringTogether(llvm::Module& module, const Recipe& recipe,
                            const std::vector<std::string>& visible) {
   const std::filesystem::path& folder = recipe.board.folder;
   if (recipe.options.optimisation_level >= kWholeProgramLevel) {
     return joinRuntime(
         module, {folder / (mainPart(recipe) + ".bc"), folder / "system.bc", folder / "tick.bc"},
-        visible, {folder / (parameterPart(recipe) + ".bc")});
+        visible, filesOf(recipe, ".bc"));
   }
   return recipe.options.optimisation_level >= kImportLevel
              ? importRuntime(module, folder / "inline.bc")
@@ -208,7 +238,7 @@ Result<Program> compileProgram(const Input& input, const Board& board,
   }
   if (!whole) {
     program.further_inputs.push_back(board.folder / "runtime.o");
-    program.further_inputs.push_back(board.folder / (parameterPart(recipe) + ".o"));
+    std::ranges::copy(filesOf(recipe, ".o"), std::back_inserter(program.further_inputs));
     program.further_inputs.push_back(board.folder / (mainPart(recipe) + ".o"));
   }
   return program;

@@ -245,6 +245,20 @@ TEST(TakenFunctions, AreNotWhatIsADistanceOnly) {
   EXPECT_TRUE(isTaken(".rept 64\n nop\n .endr")) << "too far off to be sure";
 }
 
+/// Whether `far` in Thumb, at 0x20100, counts as taken because of what follows `_start`'s return.
+bool isTakenInThumb(const std::string& behind) {
+  const Small small("ts7800", ".text\n.balign 256\n.thumb\n.thumb_func\n" +
+                                  function("far", "bx lr") + ".balign 4\n.thumb_func\n" +
+                                  function("_start", "bx lr\n nop\n" + behind));
+  EXPECT_EQ(small.image().function("far"), 0x20100);
+  return has(small.image(), "far");
+}
+
+TEST(TakenFunctions, AreNotWhatInstructionsInThumbLookLike) {
+  EXPECT_FALSE(isTakenInThumb("lsls r1, r0, #4\n movs r2, r0")) << "0101 0002";
+  EXPECT_TRUE(isTakenInThumb(".word 0x20101"));
+}
+
 TEST(TakenFunctions, MayBeDistancesFromTheTableOfOffsets) {
   const Small small("ts5500", function("_start",
                                        "call 9f\n 9: popl %ebx\n"

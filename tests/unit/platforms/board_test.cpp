@@ -25,6 +25,7 @@ float_abi = "hard"
 relocation = "static"
 clang_flags = []
 system_flags = []
+system_passes = []
 max_executable_bytes = 65536
 max_memory_bytes = 1000000
 max_stack_bytes = 16384
@@ -104,19 +105,20 @@ TEST(Board, ErrorsAreReportedWithTheirLine) {
       {with("relocation = \"static\"", "relocation = \"\""), ":7"},
       {with("clang_flags = []", "clang_flags = [1]"), ":8"},
       {with("system_flags = []", "system_flags = \"-mthumb\""), ":9"},
-      {with("65536", "-1"), ":10"},
-      {with("65536", "64.5"), ":10"},
-      {with("release = \"2.4.23\"", "release = 2"), ":15"},
-      {with("\"calls\"", "\"../calls\""), ":16"},
-      {with("[\"qemu-i386\", \"-cpu\", \"486\"]", "\"qemu-i386\""), ":18"},
-      {with("[\"qemu-i386\", \"-g\", \"{port}\"]", "3"), ":19"},
-      {with("[\"crt1.o\"]", "[\"/etc/crt1.o\"]"), ":23"},
-      {with("[\"libc.a\"]", "[\"--script=x\"]"), ":24"},
-      {with("[\"--gc-sections\"]", "[\"-T\", \"script\"]"), ":22"},
-      {with("[\"--gc-sections\"]", "[\"--a,--b\"]"), ":22"},
-      {with("[\"--gc-sections\"]", "\"\""), ":22"},
-      {with("[link]", "[linking]"), ":20"},
-      {kGood + "[more]\n", ":25"},
+      {with("system_passes = []", "system_passes = 1"), ":10"},
+      {with("65536", "-1"), ":11"},
+      {with("65536", "64.5"), ":11"},
+      {with("release = \"2.4.23\"", "release = 2"), ":16"},
+      {with("\"calls\"", "\"../calls\""), ":17"},
+      {with("[\"qemu-i386\", \"-cpu\", \"486\"]", "\"qemu-i386\""), ":19"},
+      {with("[\"qemu-i386\", \"-g\", \"{port}\"]", "3"), ":20"},
+      {with("[\"crt1.o\"]", "[\"/etc/crt1.o\"]"), ":24"},
+      {with("[\"libc.a\"]", "[\"--script=x\"]"), ":25"},
+      {with("[\"--gc-sections\"]", "[\"-T\", \"script\"]"), ":23"},
+      {with("[\"--gc-sections\"]", "[\"--a,--b\"]"), ":23"},
+      {with("[\"--gc-sections\"]", "\"\""), ":23"},
+      {with("[link]", "[linking]"), ":21"},
+      {kGood + "[more]\n", ":26"},
       {"kernel = 3\n" + with("[kernel]", "[kernels]"), ""},
       {"not toml", ":1"},
       {"", ""},

@@ -32,8 +32,8 @@ TEST(MissionClock, ASleepBeforeSilenceDoesNotCount) {
     clock.sleeps(240);
     EXPECT_EQ(clock.withoutFrame(woken), 416);
     EXPECT_EQ(clock.withoutFrame(woken + 12), 428);
-    EXPECT_EQ(clock.atFrame(504, 126, woken + 13, true), 404);
-    EXPECT_EQ(clock.atFrame(740, 185, woken + 13, true), 640);
+    EXPECT_EQ(clock.atKeptFrame(504, 126, woken + 13), 404);
+    EXPECT_EQ(clock.atKeptFrame(740, 185, woken + 13), 640);
     EXPECT_EQ(clock.atFrame(744, 186, woken + 14), 644);
   }
 }

@@ -157,7 +157,11 @@ void Run::leave(const llvm::BasicBlock& block) {
     }
     return go(block, *choice->getDefaultDest(), none.simplify());
   }
-  if (!llvm::isa<llvm::UnreachableInst>(end)) {
+  if (llvm::isa<llvm::UnreachableInst>(end)) {
+    if (!here_.is_false()) {
+      throw Undecided("a way that ends nowhere");
+    }
+  } else {
     throw Undecided(fmt::format("the instruction {}", end->getOpcodeName()));
   }
 }

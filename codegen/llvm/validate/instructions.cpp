@@ -121,6 +121,9 @@ void Run::execute(const llvm::Instruction& instruction) {
     this->call(*call);
     return;
   }
+  if (llvm::isa<llvm::FPMathOperator>(instruction) && instruction.getFastMathFlags().any()) {
+    throw Undecided("an operation that may round as it likes");
+  }
   terms_.insert({&instruction, meaning(instruction)});
 }
 

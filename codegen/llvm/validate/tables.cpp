@@ -97,6 +97,18 @@ void compareCases(const std::vector<ir::Case>& cases, const llvm::Constant* list
   }
 }
 
+/// The states by their numbers.
+void compareStates(const ir::Mission& mission, const llvm::Constant* list,
+                   Differences& differences) {
+  for (size_t i = 0; i < mission.states.size(); ++i) {
+    const std::string what = fmt::format("state {}", i + 1);
+    const llvm::Constant* place = rowOf(list, i, what, differences);
+    if (place != nullptr && place->getName() != fmt::format("state.{}", i)) {
+      differences.missing(what);
+    }
+  }
+}
+
 GliderSource sourceOf(const ir::Expr& value) {
   if (value.op == ir::Op::Sensor) {
     return kGliderSensor;
@@ -183,6 +195,7 @@ Validated compareMission(const ir::Mission& mission, uint32_t stack_depth,
                       bitsOf(described, field::resume_within));
   count("whether a restart ends the mission", mission.new_after_restart ? 1 : 0,
         field::new_after_restart);
+  compareStates(mission, fieldOf(described, field::states), differences);
   compareCases(mission.always, fieldOf(described, field::always), differences);
   compareSensors(mission, fieldOf(described, field::sensors), differences);
   return differences.of("the tables of the mission");

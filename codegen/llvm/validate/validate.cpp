@@ -28,6 +28,9 @@ using validate::Outcome;
 /// What a function must do, given its second argument.
 using Meant = llvm::function_ref<Outcome(validate::MissionFunctions&, const z3::expr&)>;
 
+/// What a function returns.
+enum class Returns : uint8_t { Nothing, Case };
+
 /// Compares the functions of one part, each with terms of its own: those of a large mission would
 /// not fit into memory together.
 class Part {
@@ -39,13 +42,13 @@ class Part {
         index_(indexMission(input.mission)),
         types_(makeAbiTypes(module.getContext())) {}
 
-  void function(const std::string& what, const llvm::Constant* code, Meant meant) {
+  void function(const std::string& what, const llvm::Constant* code, Returns returns, Meant meant) {
     const auto* function = llvm::dyn_cast_or_null<llvm::Function>(code);
-    if (function != nullptr && function->isDeclaration()) {
-      return;  // it is in another part
-    }
     try {
-      found.push_back(compared(what, function, meant));
+      if (function != nullptr && function->isDeclaration()) {
+        throw validate::Undecided("it is not there");
+      }
+      found.push_back(compared(what, function, returns, meant));
     } catch (const validate::Undecided& met) {
       found.push_back({what, Verdict::Undecided, met.what()});
     } catch (const z3::exception& trouble) {
@@ -60,7 +63,8 @@ class Part {
   Validation found;
 
  private:
-  Validated compared(const std::string& what, const llvm::Function* function, Meant meant) {
+  Validated compared(const std::string& what, const llvm::Function* function, Returns returns,
+                     Meant meant) {
     z3::context z3;
     validate::Numbers numbers(z3);
     validate::Places places(mission_, index_, types_, module_.getDataLayout());
@@ -69,16 +73,15 @@ class Part {
     validate::MissionFunctions meaning(code, mission_, index_);
     const z3::expr word = z3.bv_const("word", 32);
     const Outcome says = meant(meaning, word);
-    return validate::compare(effects, what, says, done(code, function, says, word));
+    return validate::compare(effects, what, says, done(code, function, returns, word));
   }
 
   /// What the code does. One that is missing does nothing and answers that no case fires.
-  static Outcome done(validate::Code& code, const llvm::Function* function, const Outcome& says,
+  static Outcome done(validate::Code& code, const llvm::Function* function, Returns returns,
                       const z3::expr& word) {
     validate::Effects& effects = code.effects();
     if (function == nullptr) {
-      const bool answers = !says.result.is_numeral() || says.result.get_numeral_uint64() != 0;
-      return {effects.word(answers ? GLIDER_NO_CASE : 0), effects.first()};
+      return {effects.word(returns == Returns::Case ? GLIDER_NO_CASE : 0), effects.first()};
     }
     std::vector<z3::expr> arguments{effects.address(effects.places().object("context"))};
     if (function->arg_size() > 1) {
@@ -98,7 +101,13 @@ class Part {
 
 void Part::profile(uint32_t number, const llvm::Constant* code) {
   const ir::State& state = mission_.states[number];
-  function("the profile of `" + state.name + "`", code, [&](auto& meaning, const z3::expr&) {
+  const std::string what = "the profile of `" + state.name + "`";
+  const auto* function = llvm::dyn_cast_or_null<llvm::Function>(code);
+  if (function != nullptr && function->isDeclaration() &&
+      function->getName() == "profile." + state.name) {
+    return;  // it is in another part
+  }
+  this->function(what, code, Returns::Case, [&](auto& meaning, const z3::expr&) {
     return meaning.fly(state.profile, index_.memory_blocks[number].profile);
   });
 }
@@ -115,21 +124,21 @@ void Part::state(uint32_t number) {
   }
   const llvm::Constant& table = *described->getInitializer();
   found.push_back(validate::compareState(mission_, id, table));
-  function("the cases of " + name, fieldOf(table, field::guards),
+  function("the cases of " + name, fieldOf(table, field::guards), Returns::Case,
            [&](auto& meaning, const z3::expr& word) {
              return meaning.guards(state.cases, false, word);
            });
-  function("the actions of " + name, fieldOf(table, field::act),
+  function("the actions of " + name, fieldOf(table, field::act), Returns::Nothing,
            [&](auto& meaning, const z3::expr& word) { return meaning.act(state.cases, word); });
-  function("the entry of " + name, fieldOf(table, field::enter),
+  function("the entry of " + name, fieldOf(table, field::enter), Returns::Nothing,
            [&](auto& meaning, const z3::expr& word) { return meaning.enter(id, word); });
-  function("the watches of " + name, fieldOf(table, field::advance),
+  function("the watches of " + name, fieldOf(table, field::advance), Returns::Nothing,
            [&](auto& meaning, const z3::expr&) { return meaning.advance(id); });
-  function("the route of " + name, fieldOf(table, field::route),
+  function("the route of " + name, fieldOf(table, field::route), Returns::Case,
            [&](auto& meaning, const z3::expr&) {
              return meaning.fly(state.route, index_.memory_blocks[number].route);
            });
-  function("the naps of " + name, fieldOf(table, field::foresee),
+  function("the naps of " + name, fieldOf(table, field::foresee), Returns::Nothing,
            [&](auto& meaning, const z3::expr&) { return meaning.foresee(id); });
   profile(number, fieldOf(table, field::profile));
 }
@@ -143,17 +152,17 @@ void Part::head(uint32_t stack_depth) {
   }
   const llvm::Constant& table = *described->getInitializer();
   found.push_back(validate::compareMission(mission_, stack_depth, table));
-  function("the start of the mission", fieldOf(table, field::begin),
+  function("the start of the mission", fieldOf(table, field::begin), Returns::Nothing,
            [](auto& meaning, const z3::expr&) { return meaning.begin(); });
-  function("the watches of `always`", fieldOf(table, field::advance),
+  function("the watches of `always`", fieldOf(table, field::advance), Returns::Nothing,
            [](auto& meaning, const z3::expr&) { return meaning.advanceAlways(); });
-  function("the cases of `always`", fieldOf(table, field::guards),
+  function("the cases of `always`", fieldOf(table, field::guards), Returns::Case,
            [&](auto& meaning, const z3::expr& word) {
              return meaning.guards(mission_.always, true, word);
            });
-  function("the actions of `always`", fieldOf(table, field::act),
+  function("the actions of `always`", fieldOf(table, field::act), Returns::Nothing,
            [&](auto& meaning, const z3::expr& word) { return meaning.act(mission_.always, word); });
-  function("the conditions of the parameters", fieldOf(table, field::condition),
+  function("the conditions of the parameters", fieldOf(table, field::condition), Returns::Case,
            [](auto& meaning, const z3::expr&) { return meaning.condition(); });
 }
 

@@ -209,7 +209,8 @@ TEST(CheckReport, SaysHowMuchEnergyItTakesAtMost) {
       runShell("$GLIDERCC check --report --target host " + endless.string()).out,
       testing::ContainsRegex("the mission takes at most 1[01]\\.[0-9] W on average in a long "
                              "flight, so a pack that gives "
-                             "1,2[0-9][0-9] Wh lasts at least 4\\.[4-9] days: "));
+                             "1,2[0-9][0-9] Wh [(]100 Ah at 12.1 V on average.*[)] lasts at "
+                             "least 4\\.[4-9] days: "));
   const auto lauv = folder.write("lauv.mission",
                                  "mission lauv\nplatform lauv\nstate fly\nbegin\n"
                                  "  flightprofile surfaced\n  sensors missiontime\n"

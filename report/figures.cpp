@@ -265,16 +265,13 @@ double rateBetween(const Trace& trace, size_t bottom, size_t end) {
          std::abs(trace.at(row, time) - trace.at(bottom, time));
 }
 
-}  // namespace
-
-namespace {
-
-/// Whether a hover was in force at the bottom and at the next top: not a yo,
-/// but how it keeps to the depth.
+/// Whether a hover was in force at the bottom and at the next top: not a yo, but how it keeps to
+/// the depth.
 bool isSwing(const Trace& trace, const std::vector<TurningPoint>& turns, size_t bottom) {
-  constexpr double kHover = 3;  // HookVertical::Hover, which the folder may not include
   const int vertical = trace.column("hook_vertical");
-  const auto hovers = [&](size_t row) { return trace.at(row, vertical) == kHover; };
+  const auto hovers = [&](size_t row) {
+    return trace.at(row, vertical) == support::kHoverCommanded;
+  };
   return vertical >= 0 && bottom + 1 < turns.size() && hovers(turns[bottom].row) &&
          hovers(turns[bottom + 1].row);
 }

@@ -9,6 +9,8 @@
 namespace glider::simulator {
 namespace {
 
+static_assert(support::kHoverCommanded == static_cast<double>(hooks::HookVertical::Hover));
+
 constexpr double kNotRecorded = std::numeric_limits<double>::quiet_NaN();
 
 /// The sources of a row in a Slocum.

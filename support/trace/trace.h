@@ -22,6 +22,9 @@ struct TraceColumn {
       unit;  ///< as in the language; "" for a plain number, "id" for an index into Trace::names
 };
 
+/// The value of the column "hook_vertical" while a hover is in force.
+inline constexpr double kHoverCommanded = 3;
+
 /// The water's temperature on a grid along the flight, the background of the picture.
 struct TraceField {
   std::string unit = "degC";

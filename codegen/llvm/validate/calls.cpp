@@ -12,13 +12,6 @@
 #include <llvm/IR/Intrinsics.h>
 
 namespace glider::codegen::validate {
-namespace {
-
-// Classes of llvm.is.fpclass, one bit each.
-constexpr uint64_t kClasses = 10;
-
-}  // namespace
-
 std::vector<z3::expr> Run::arguments(const llvm::CallInst& call, unsigned first) {
   std::vector<z3::expr> all;
   for (unsigned i = first; i < call.arg_size(); ++i) {
@@ -41,7 +34,7 @@ Run::Term Run::call(const llvm::CallInst& call) {
   if (!callee->isDeclaration()) {
     return callBody(call, *callee);
   }
-  const llvm::Function* body = code_.short_ones_.getFunction(callee->getName());
+  const llvm::Function* body = code_.inlinable_.getFunction(callee->getName());
   return body != nullptr && !body->isDeclaration() ? callBody(call, *body) : callContract(call);
 }
 
@@ -81,7 +74,7 @@ void Run::callNote(const llvm::CallInst& call) {
   enum : unsigned { Kind = 1, Text, Values, Count };
   std::vector<z3::expr> all{value(call.getArgOperand(Kind)), value(call.getArgOperand(Text))};
   const uint64_t count =
-      whole(call.getArgOperand(Count), "a note of a number of values that varies");
+      numeral(call.getArgOperand(Count), "a note of a number of values that varies");
   if (count > 0) {
     const Address values = address(call.getArgOperand(Values));
     for (uint64_t i = 0; i < count; ++i) {
@@ -96,37 +89,14 @@ void Run::callNote(const llvm::CallInst& call) {
 }
 
 void Run::fill(const llvm::MemSetInst& fill) {
-  const uint64_t bytes = whole(fill.getLength(), "memory that is filled for a length that varies");
-  if (whole(fill.getValue(), "memory that is filled") != 0) {
+  const uint64_t bytes =
+      numeral(fill.getLength(), "memory that is filled for a length that varies");
+  if (numeral(fill.getValue(), "memory that is filled") != 0) {
     throw Undecided("memory that is filled with something else than 0");
   }
   for (const Address at : effects().places().fieldsIn(address(fill.getDest()), bytes)) {
     effects().store(memory_, at, z3().bv_val(0, effects().places().at(at).bytes * 8));
   }
-}
-
-z3::expr Run::isOfClass(const z3::expr& x, uint64_t classes) {
-  const auto bits = [&](uint64_t value) { return z3().bv_val(value, 64); };
-  const z3::expr size = numbers().magnitude(x);
-  const z3::expr negative = x < bits(0);
-  const z3::expr infinite = size == bits(uint64_t{0x7FF} << 52U);
-  const z3::expr zero = size == bits(0);
-  const z3::expr subnormal = !zero && z3::ult(size, bits(uint64_t{1} << 52U));
-  const z3::expr nan = z3::ugt(size, bits(uint64_t{0x7FF} << 52U));
-  const z3::expr normal = !infinite && !zero && !subnormal && !nan;
-  const z3::expr quiet = nan && z3::uge(size, bits(uint64_t{0x7FF8} << 48U));
-  const z3::expr is[kClasses] = {nan && !quiet,         quiet,
-                                 negative && infinite,  negative && normal,
-                                 negative && subnormal, negative && zero,
-                                 !negative && zero,     !negative && subnormal,
-                                 !negative && normal,   !negative && infinite};
-  z3::expr any = effects().truth(false);
-  for (uint64_t i = 0; i < kClasses; ++i) {
-    if ((classes >> i & 1U) != 0) {
-      any = any || is[i];
-    }
-  }
-  return any.simplify();
 }
 
 Run::Term Run::intrinsic(const llvm::IntrinsicInst& call) {
@@ -137,7 +107,8 @@ Run::Term Run::intrinsic(const llvm::IntrinsicInst& call) {
     case llvm::Intrinsic::sqrt:
       return {numbers().sqrt(argument(0))};
     case llvm::Intrinsic::is_fpclass:
-      return {isOfClass(argument(0), whole(call.getArgOperand(1), "a class of numbers"))};
+      return {
+          numbers().isOfClass(argument(0), numeral(call.getArgOperand(1), "a class of numbers"))};
     case llvm::Intrinsic::umin:
       return {z3::ite(z3::ult(argument(0), argument(1)), argument(0), argument(1)).simplify()};
     case llvm::Intrinsic::umax:

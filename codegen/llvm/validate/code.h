@@ -19,14 +19,14 @@ namespace glider::codegen::validate {
 Address constantPlace(Places& places, const llvm::Constant& content);
 
 /// What functions of a module do, from LLVM's definition of its instructions. Only what missions
-/// are made of is understood; all else throws Undecided. Behaviour that LLVM leaves undefined does
-/// not occur in what the mission means, so it is not distinguished.
+/// are made of is understood; all else throws Undecided. That an operation does not overflow where
+/// the module promises it is taken for granted.
 class Code {
  public:
-  /// `short_ones` has the bodies of the runtime's functions that may have been inlined: a call of
+  /// `inlinable` has the bodies of the runtime's functions that may have been inlined: a call of
   /// one does what its body does. All outlive this.
-  Code(Effects& effects, const llvm::Module& module, const llvm::Module& short_ones)
-      : effects_(effects), module_(module), short_ones_(short_ones) {}
+  Code(Effects& effects, const llvm::Module& inlinable)
+      : effects_(effects), inlinable_(inlinable) {}
 
   /// Called with these arguments, pointers as addresses.
   Outcome run(const llvm::Function& function, const std::vector<z3::expr>& arguments,
@@ -38,8 +38,7 @@ class Code {
 
  private:
   Effects& effects_;
-  const llvm::Module& module_;
-  const llvm::Module& short_ones_;
+  const llvm::Module& inlinable_;
   uint32_t frames_ = 0;  ///< numbers of local objects
   uint32_t depth_ = 0;   ///< of calls
   uint32_t unknowns_ = 0;

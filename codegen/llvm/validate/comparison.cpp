@@ -34,12 +34,11 @@ class Rounding {
  public:
   /// Of the operations in `term`.
   explicit Rounding(const z3::expr& term) {
-    std::unordered_set<unsigned> seen;
     std::vector<z3::expr> open{term};
     while (!open.empty()) {
       const z3::expr one = open.back();
       open.pop_back();
-      if (!one.is_app() || !seen.insert(one.id()).second) {
+      if (!one.is_app() || !parts_.insert(one.id()).second) {
         continue;
       }
       for (unsigned i = 0; i < one.num_args(); ++i) {
@@ -51,6 +50,9 @@ class Rounding {
     }
   }
 
+  [[nodiscard]] bool has(const z3::expr& part) const {
+    return part.is_true() || parts_.contains(part.id());
+  }
   [[nodiscard]] const std::vector<z3::expr>& learned() const { return learned_; }
 
   /// Whether in `model` every operation gives what it really gives. If not, the solver learns it.
@@ -76,6 +78,7 @@ class Rounding {
   }
 
  private:
+  std::unordered_set<unsigned> parts_;
   std::vector<z3::expr> learned_;
   std::vector<z3::expr> operations_;
 };
@@ -142,8 +145,10 @@ class Comparison {
     z3::params parameters(effects_.z3());
     parameters.set("rlimit", kMostWork);
     solver.set(parameters);
-    for (const z3::expr& fact : effects_.numbers().facts()) {
-      solver.add(fact);
+    for (const Numbers::Fact& fact : effects_.numbers().facts()) {
+      if (rounding.has(fact.about)) {
+        solver.add(fact.holds);
+      }
     }
     for (const z3::expr& fact : rounding.learned()) {
       solver.add(fact);

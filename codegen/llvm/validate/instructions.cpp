@@ -12,8 +12,6 @@
 namespace glider::codegen::validate {
 namespace {
 
-constexpr unsigned kNumberBits = 64;
-
 [[noreturn]] void notKnown(const llvm::Instruction& instruction) {
   throw Undecided(fmt::format("the instruction {}", instruction.getOpcodeName()));
 }
@@ -97,7 +95,7 @@ z3::expr Run::value(const llvm::Value* value) {
   return found.value;
 }
 
-uint64_t Run::whole(const llvm::Value* value, const char* what) {
+uint64_t Run::numeral(const llvm::Value* value, const char* what) {
   const z3::expr found = this->value(value);
   if (!found.is_numeral()) {
     throw Undecided(what);
@@ -106,7 +104,7 @@ uint64_t Run::whole(const llvm::Value* value, const char* what) {
 }
 
 Address Run::address(const llvm::Value* pointer) {
-  return whole(pointer, "an access by a pointer that is computed");
+  return numeral(pointer, "an access by a pointer that is computed");
 }
 
 void Run::execute(const llvm::Instruction& instruction) {
@@ -184,11 +182,11 @@ z3::expr Run::binary(const llvm::BinaryOperator& binary) {
     case llvm::Instruction::FDiv:
       return numbers().divide(a(), b());
     default:
-      return whole(binary).simplify();
+      return integer(binary).simplify();
   }
 }
 
-z3::expr Run::whole(const llvm::BinaryOperator& binary) {
+z3::expr Run::integer(const llvm::BinaryOperator& binary) {
   const z3::expr a = value(binary.getOperand(0));
   const z3::expr b = value(binary.getOperand(1));
   const bool truth = a.is_bool();

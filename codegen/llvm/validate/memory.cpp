@@ -29,14 +29,14 @@ z3::expr Effects::initially(Address address) {
   const Cell cell = places_.at(address);
   const z3::expr value = z3().bv_const(fmt::format("cell {:x}", address).c_str(), cell.bytes * 8);
   if (cell.bytes == sizeof(double)) {
-    numbers_.isCanonical(value);
-    numbers_.addFact(numbers_.isKnown(value) || value == numbers_.unknown());
+    numbers_.assumeCanonical(value);
+    numbers_.addFact(value, numbers_.isKnown(value) || value == numbers_.unknown());
   }
   if (cell.kind == CellKind::Settled) {
-    numbers_.addFact(value != numbers_.constant(-0.0));
+    numbers_.addFact(value, value != numbers_.constant(-0.0));
   } else if (cell.kind == CellKind::Truth) {
-    numbers_.addFact(value == numbers_.constant(0) || value == numbers_.constant(1) ||
-                     value == numbers_.unknown());
+    numbers_.addFact(value, value == numbers_.constant(0) || value == numbers_.constant(1) ||
+                                value == numbers_.unknown());
   }
   initial_.emplace(address, value);
   return value;
@@ -44,7 +44,7 @@ z3::expr Effects::initially(Address address) {
 
 z3::expr Effects::load(const Memory& memory, Address address) {
   const Cell cell = places_.at(address);
-  if (!cell.of_vehicle) {
+  if (!cell.stable) {
     const z3::expr held = z3::select(memory.world, this->address(address));
     return cell.bytes == sizeof(double) ? numbers_.canonical(held) : held.extract(31, 0);
   }
@@ -58,12 +58,17 @@ void Effects::store(Memory& memory, Address address, const z3::expr& value) {
     throw Undecided("a store of another size than what is there");
   }
   const z3::expr kept = cell.bytes == sizeof(double) ? numbers_.canonical(value) : value;
-  if (!cell.of_vehicle) {
+  if (!cell.stable) {
     memory.world = z3::store(memory.world, this->address(address),
                              cell.bytes == sizeof(double) ? kept : z3::zext(kept, 32));
     return;
   }
   memory.cells.insert_or_assign(address, kept);
+}
+
+Outcome Effects::either(const z3::expr& condition, const Outcome& a, const Outcome& b) {
+  return {z3::eq(a.result, b.result) ? a.result : z3::ite(condition, a.result, b.result).simplify(),
+          either(condition, a.memory, b.memory)};
 }
 
 Memory Effects::either(const z3::expr& condition, const Memory& a, const Memory& b) {
@@ -80,7 +85,7 @@ Memory Effects::either(const z3::expr& condition, const Memory& a, const Memory&
   for (const Address address : changed) {
     const z3::expr value = choose(load(a, address), load(b, address));
     if (places_.at(address).bytes == sizeof(double)) {
-      numbers_.isCanonical(value);
+      numbers_.assumeCanonical(value);
     }
     result.cells.emplace(address, value);
   }
@@ -118,24 +123,6 @@ void Effects::window(Memory& memory, const std::string& name, Address slot,
   const z3::expr value = numbers_.numberOf(name + " gives", all);
   memory.cells.insert_or_assign(content, numbers_.numberOf(name + " keeps", all));
   memory.cells.insert_or_assign(slot, value);
-}
-
-void WaysOut::add(const z3::expr& when, const z3::expr& result, const Memory& memory) {
-  if (!when.is_false()) {
-    ways_.push_back({when, {result, memory}});
-  }
-}
-
-Outcome WaysOut::together() {
-  if (ways_.empty()) {
-    throw Undecided("a function that never returns");
-  }
-  Outcome outcome = ways_.back().outcome;
-  for (auto way = ways_.rbegin() + 1; way != ways_.rend(); ++way) {
-    outcome.result = z3::ite(way->when, way->outcome.result, outcome.result).simplify();
-    outcome.memory = effects_.either(way->when, way->outcome.memory, outcome.memory);
-  }
-  return outcome;
 }
 
 }  // namespace glider::codegen::validate

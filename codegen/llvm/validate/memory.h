@@ -19,6 +19,12 @@ struct Memory {
   z3::expr world;
 };
 
+/// What a function does: the number that it returns (0 of one that returns nothing), and memory.
+struct Outcome {
+  z3::expr result;
+  Memory memory;
+};
+
 /// What mission and code do to memory: the same for both. The functions that they call are
 /// contracts: of each is known what it may change, of what that depends, and nothing else.
 class Effects {
@@ -33,6 +39,7 @@ class Effects {
   void store(Memory& memory, Address address, const z3::expr& value);
   /// `a` if `condition` holds, else `b`.
   Memory either(const z3::expr& condition, const Memory& a, const Memory& b);
+  Outcome either(const z3::expr& condition, const Outcome& a, const Outcome& b);
 
   /// A function of the runtime that returns nothing and changes the world.
   void command(Memory& memory, const std::string& name, const std::vector<z3::expr>& arguments);
@@ -60,29 +67,6 @@ class Effects {
   Places& places_;
   z3::sort world_;
   std::map<Address, z3::expr> initial_;
-};
-
-/// What a function does: the number that it returns (0 of one that returns nothing), and memory.
-struct Outcome {
-  z3::expr result;
-  Memory memory;
-};
-
-/// The ways out of a function, each with the condition under which it is taken; no two are taken.
-class WaysOut {
- public:
-  explicit WaysOut(Effects& effects) : effects_(effects) {}
-  void add(const z3::expr& when, const z3::expr& result, const Memory& memory);
-  /// Throws Undecided if there is none.
-  Outcome together();
-
- private:
-  struct Way {
-    z3::expr when;
-    Outcome outcome;
-  };
-  Effects& effects_;
-  std::vector<Way> ways_;
 };
 
 }  // namespace glider::codegen::validate

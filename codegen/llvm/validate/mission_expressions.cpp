@@ -113,7 +113,8 @@ z3::expr MissionExpressions::numeric(const ir::Expr& expr, const Known& operands
   }
   const z3::expr result =
       group == OpGroup::Clamp ? clamp(of[0], of[1], of[2]) : binary(expr, of[0], of[1]);
-  return z3::ite(all_known, result, numbers().unknown()).simplify();
+  const bool settles = group == OpGroup::Binary && expr.op != Op::Min && expr.op != Op::Max;
+  return settles ? result : z3::ite(all_known, result, numbers().unknown()).simplify();
 }
 
 /// Unknown stays unknown.
@@ -124,8 +125,7 @@ z3::expr MissionExpressions::unary(const ir::Expr& expr, const z3::expr& x) {
     case ir::UnaryOp::Abs:
       return numbers().magnitude(x);
     case ir::UnaryOp::Sqrt:
-      return z3::ite(numbers().isKnown(x), numbers().settle(numbers().sqrt(x)), numbers().unknown())
-          .simplify();
+      return numbers().settle(numbers().sqrt(x));
   }
   CHECK(false, "an operation on one number without a meaning");
 }
@@ -136,6 +136,7 @@ z3::expr MissionExpressions::clamp(const z3::expr& x, const z3::expr& lowest,
   return z3::ite(numbers().less(x, lowest), lowest, capped);
 }
 
+/// Sums, products and quotients of unknown operands are NaN, and so unknown.
 z3::expr MissionExpressions::binary(const ir::Expr& expr, const z3::expr& a, const z3::expr& b) {
   switch (ir::opIn<ir::BinaryOp>(expr.op)) {
     case ir::BinaryOp::Add:

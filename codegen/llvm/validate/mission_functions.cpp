@@ -6,6 +6,11 @@
 #include "ir/core/sampling.h"
 #include "runtime/abi/glider_abi.h"
 
+#include <optional>
+#include <ranges>
+#include <utility>
+#include <vector>
+
 namespace glider::codegen::validate {
 namespace {
 
@@ -13,35 +18,65 @@ bool isInC(const ir::Mission& mission, const ir::Activity& activity) {
   return !mission[activity.behaviour].symbol.empty();
 }
 
+/// The watches and windows of `always`, or of a state, in the order of the vector.
+std::vector<ir::TemporalId> temporalsOf(const ir::Mission& mission,
+                                        std::optional<ir::StateId> state) {
+  std::vector<ir::TemporalId> all;
+  for (uint32_t i = 0; i < mission.temporals.size(); ++i) {
+    const ir::Temporal& temporal = mission.temporals[i];
+    const bool of_always = temporal.list == ir::ListKind::Always;
+    if (state ? !of_always && temporal.state == *state : of_always) {
+      all.push_back({i});
+    }
+  }
+  return all;
+}
+
+/// What is tried in order: the first that holds is what happens.
+class InOrder {
+ public:
+  explicit InOrder(Effects& effects) : effects_(effects) {}
+
+  /// If `holds`, the function returns `result` and leaves `memory`.
+  void tryNext(const z3::expr& holds, uint32_t result, const Memory& memory) {
+    tried_.emplace_back(holds.simplify(), Outcome{effects_.word(result), memory});
+  }
+  Outcome otherwise(uint32_t result, const Memory& memory) {
+    Outcome outcome{effects_.word(result), memory};
+    for (const auto& [holds, one] : tried_ | std::views::reverse) {
+      outcome = effects_.either(holds, one, outcome);
+    }
+    return outcome;
+  }
+
+ private:
+  Effects& effects_;
+  std::vector<std::pair<z3::expr, Outcome>> tried_;
+};
+
 }  // namespace
 
 z3::expr MissionFunctions::time(const Memory& memory) {
   return effects_.load(memory, effects_.places().context(field::GliderContext::mission_time));
 }
 
-/// Step 4 and C5. Guards of `always` are not evaluated from the limit on where that can be seen, by
-/// a function that is called; otherwise the runtime looks at the limit.
-Outcome MissionFunctions::guards(const std::vector<ir::Case>& cases, bool always,
+/// Step 4 and C5. Where a C function is called, the guards of `always` from the limit on are not
+/// evaluated; otherwise that makes no difference, and the runtime looks at the limit.
+Outcome MissionFunctions::guards(const std::vector<ir::Case>& cases, ir::ListKind list,
                                  const z3::expr& word) {
-  const bool limited = always && !mission_.uses.empty();
+  const bool limited = list == ir::ListKind::Always && !mission_.uses.empty();
   Memory memory = effects_.first();
-  WaysOut ways(effects_);
-  z3::expr open = effects_.truth(true);
+  InOrder cases_in_order(effects_);
   for (uint32_t i = 0; i < cases.size(); ++i) {
     if (limited) {
       const z3::expr limit =
           effects_.load(memory, effects_.places().context(field::GliderContext::limit));
-      const z3::expr over = z3::ule(limit, effects_.word(i));
-      ways.add((open && over).simplify(), effects_.word(GLIDER_NO_CASE), memory);
-      open = (open && !over).simplify();
+      cases_in_order.tryNext(z3::ule(limit, effects_.word(i)), GLIDER_NO_CASE, memory);
     }
-    const z3::expr fires =
-        z3::ule(word, effects_.word(i)) && expressions_.isTrue(memory, cases[i].guard);
-    ways.add((open && fires).simplify(), effects_.word(i), memory);
-    open = (open && !fires).simplify();
+    const z3::expr is_true = expressions_.isTrue(memory, cases[i].guard);
+    cases_in_order.tryNext(z3::ule(word, effects_.word(i)) && is_true, i, memory);
   }
-  ways.add(open, effects_.word(GLIDER_NO_CASE), memory);
-  return ways.together();
+  return cases_in_order.otherwise(GLIDER_NO_CASE, memory);
 }
 
 /// All arguments are evaluated before any parameter gets one.
@@ -58,11 +93,14 @@ void MissionFunctions::pass(Memory& memory, const ir::Case& fired) {
 Outcome MissionFunctions::act(const std::vector<ir::Case>& cases, const z3::expr& word) {
   const Memory before = effects_.first();
   Memory after = before;
-  for (uint32_t i = 0; i < cases.size(); ++i) {
-    Memory fired = before;
-    run(fired, cases[i].action);
-    pass(fired, cases[i]);
-    after = effects_.either(word == effects_.word(i), fired, after);
+  for (auto i = static_cast<uint32_t>(cases.size()); i-- > 0;) {
+    const ir::Case& one = cases[i];
+    if (one.action.valid() || !one.arguments.empty()) {
+      Memory fired = before;
+      run(fired, one.action);
+      pass(fired, one);
+      after = effects_.either(word == effects_.word(i), fired, after);
+    }
   }
   return only(after);
 }
@@ -88,15 +126,11 @@ Outcome MissionFunctions::enter(ir::StateId id, const z3::expr& word) {
       }
     }
   });
-  for (uint32_t i = 0; i < mission_.temporals.size(); ++i) {
-    const ir::Temporal& temporal = mission_.temporals[i];
-    if (temporal.list == ir::ListKind::Always || temporal.state != id) {
-      continue;
+  for (const ir::TemporalId temporal : temporalsOf(mission_, id)) {
+    if (ir::isWindow(mission_[temporal].kind)) {
+      onlyIfEntered(memory, [&](Memory& now) { startWindow(now, temporal); });
     }
-    if (ir::isWindow(temporal.kind)) {
-      onlyIfEntered(memory, [&](Memory& now) { startWindow(now, {i}); });
-    }
-    watch(memory, {i}, When::Start);
+    watch(memory, temporal, When::Start);
   }
   if (ir::samples(mission_)) {
     sample(memory, state);
@@ -129,11 +163,8 @@ void MissionFunctions::behaviour(Memory& memory, const ir::Activity& activity, u
 /// Step 3, the part of the state, and S8.
 Outcome MissionFunctions::advance(ir::StateId id) {
   Memory memory = effects_.first();
-  for (uint32_t i = 0; i < mission_.temporals.size(); ++i) {
-    const ir::Temporal& temporal = mission_.temporals[i];
-    if (temporal.list != ir::ListKind::Always && temporal.state == id) {
-      watch(memory, {i}, When::Advance);
-    }
+  for (const ir::TemporalId temporal : temporalsOf(mission_, id)) {
+    watch(memory, temporal, When::Advance);
   }
   if (ir::samplingChanges(mission_, mission_[id])) {
     sample(memory, mission_[id]);
@@ -144,10 +175,8 @@ Outcome MissionFunctions::advance(ir::StateId id) {
 /// Step 3, the part of `always`.
 Outcome MissionFunctions::advanceAlways() {
   Memory memory = effects_.first();
-  for (uint32_t i = 0; i < mission_.temporals.size(); ++i) {
-    if (mission_.temporals[i].list == ir::ListKind::Always) {
-      watch(memory, {i}, When::Advance);
-    }
+  for (const ir::TemporalId temporal : temporalsOf(mission_, std::nullopt)) {
+    watch(memory, temporal, When::Advance);
   }
   run(memory, mission_.every_tick);
   return only(memory);
@@ -161,15 +190,11 @@ Outcome MissionFunctions::begin() {
       assign(memory, {i}, expressions_.asNumber(memory, mission_.variables[i].initial));
     }
   }
-  for (uint32_t i = 0; i < mission_.temporals.size(); ++i) {
-    const ir::Temporal& temporal = mission_.temporals[i];
-    if (temporal.list != ir::ListKind::Always) {
-      continue;
+  for (const ir::TemporalId temporal : temporalsOf(mission_, std::nullopt)) {
+    if (ir::isWindow(mission_[temporal].kind)) {
+      startWindow(memory, temporal);
     }
-    if (ir::isWindow(temporal.kind)) {
-      startWindow(memory, {i});
-    }
-    watch(memory, {i}, When::Start);
+    watch(memory, temporal, When::Start);
   }
   run(memory, mission_.every_tick);
   return only(memory);
@@ -177,15 +202,11 @@ Outcome MissionFunctions::begin() {
 
 Outcome MissionFunctions::condition() {
   Memory memory = effects_.first();
-  WaysOut ways(effects_);
-  z3::expr open = effects_.truth(true);
+  InOrder conditions(effects_);
   for (uint32_t i = 0; i < mission_.conditions.size(); ++i) {
-    const z3::expr holds = expressions_.isTrue(memory, mission_.conditions[i]);
-    ways.add((open && !holds).simplify(), effects_.word(i), memory);
-    open = (open && holds).simplify();
+    conditions.tryNext(!expressions_.isTrue(memory, mission_.conditions[i]), i, memory);
   }
-  ways.add(open, effects_.word(GLIDER_NO_CASE), memory);
-  return ways.together();
+  return conditions.otherwise(GLIDER_NO_CASE, memory);
 }
 
 /// Steps 4 and 5, of a profile or route.
@@ -195,8 +216,7 @@ Outcome MissionFunctions::fly(const ir::Activity& activity, uint32_t memory_bloc
     behaviour(memory, activity, memory_block, effects_.word(kGliderTick));
     return {effects_.word(GLIDER_NO_CASE), memory};
   }
-  WaysOut ways(effects_);
-  z3::expr open = effects_.truth(true);
+  InOrder cases(effects_);
   for (uint32_t i = 0; i < activity.cases.size(); ++i) {
     const ir::Case& one = activity.cases[i];
     const z3::expr fires = expressions_.isTrue(memory, one.guard);
@@ -205,11 +225,9 @@ Outcome MissionFunctions::fly(const ir::Activity& activity, uint32_t memory_bloc
     if (one.transition == ir::Transition::Done) {
       assign(fired, activity.done, numbers().constant(1));
     }
-    ways.add((open && fires).simplify(), effects_.word(i), fired);
-    open = (open && !fires).simplify();
+    cases.tryNext(fires, i, fired);
   }
-  ways.add(open, effects_.word(GLIDER_NO_CASE), memory);
-  return ways.together();
+  return cases.otherwise(GLIDER_NO_CASE, memory);
 }
 
 /// S8.

@@ -23,7 +23,7 @@ class MissionFunctions {
 
   /// `word` is the function's second argument: the case from which on guards are tried, the case
   /// that fired, the phase.
-  Outcome guards(const std::vector<ir::Case>& cases, bool always, const z3::expr& word);
+  Outcome guards(const std::vector<ir::Case>& cases, ir::ListKind list, const z3::expr& word);
   Outcome act(const std::vector<ir::Case>& cases, const z3::expr& word);
   Outcome enter(ir::StateId state, const z3::expr& word);
   Outcome advance(ir::StateId state);
@@ -35,6 +35,7 @@ class MissionFunctions {
 
  private:
   enum class When : uint8_t { Start, Advance };
+  struct EarlyReturns;
 
   void run(Memory& memory, ir::BlockId block);
   void execute(Memory& memory, const ir::Statement& statement);
@@ -57,7 +58,7 @@ class MissionFunctions {
   void begin(Memory& memory, const ir::Activity& activity, uint32_t block, const z3::expr& phase);
   void sample(Memory& memory, const ir::State& state);
   void add(Memory& memory, const ir::Wake& wake, z3::expr& open, const z3::expr& nap,
-           WaysOut& ways);
+           EarlyReturns& returns);
 
   z3::expr context() { return effects_.address(effects_.places().object("context")); }
   z3::expr time(const Memory& memory);

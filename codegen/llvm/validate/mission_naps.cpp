@@ -7,6 +7,9 @@
 #include "runtime/abi/glider_abi.h"
 #include "support/check.h"
 
+#include <utility>
+#include <vector>
+
 namespace glider::codegen::validate {
 namespace {
 
@@ -26,28 +29,36 @@ unsigned firedField(ir::ListKind list) {
 
 }  // namespace
 
+/// Where the function returns before its end: under which condition, with which memory; no two of
+/// these hold.
+struct MissionFunctions::EarlyReturns {
+  std::vector<std::pair<z3::expr, Memory>> all;
+};
+
 Outcome MissionFunctions::foresee(ir::StateId state) {
   const z3::expr nap = effects_.address(effects_.places().object("nap"));
   Memory memory = effects_.first();
-  WaysOut ways(effects_);
+  EarlyReturns returns;
   z3::expr open = effects_.truth(true);
   if (mission_.nap_s) {
     const ir::Wake wake = ir::wakeOf(mission_, state);
     if (ir::maySleep(mission_, wake)) {
-      add(memory, wake, open, nap, ways);
+      add(memory, wake, open, nap, returns);
     }
   }
-  ways.add(open, effects_.word(0), memory);
-  return ways.together();
+  for (const auto& [when, then] : returns.all) {
+    memory = effects_.either(when, then, memory);
+  }
+  return only(memory);
 }
 
 // NOLINTNEXTLINE(misc-no-recursion): as deep as the mission's text nests
 void MissionFunctions::add(Memory& memory, const ir::Wake& wake, z3::expr& open,
-                           const z3::expr& nap, WaysOut& ways) {
+                           const z3::expr& nap, EarlyReturns& returns) {
   const auto awakeUnless = [&](const z3::expr& condition) {
     Memory awake = memory;
     code_.command(awake, "gliderNapAwake", {nap});
-    ways.add((open && !condition).simplify(), effects_.word(0), awake);
+    returns.all.emplace_back((open && !condition).simplify(), awake);
     open = (open && condition).simplify();
   };
   const auto sensor = [&] { return effects_.word(wake.sensor.index); };
@@ -58,7 +69,7 @@ void MissionFunctions::add(Memory& memory, const ir::Wake& wake, z3::expr& open,
       return code_.command(memory, "gliderNapAwake", {nap});
     case ir::WakeKind::All:
       for (const ir::Wake& part : wake.parts) {
-        add(memory, part, open, nap, ways);
+        add(memory, part, open, nap, returns);
       }
       return;
     case ir::WakeKind::Branch: {
@@ -68,8 +79,8 @@ void MissionFunctions::add(Memory& memory, const ir::Wake& wake, z3::expr& open,
       Memory no = memory;
       z3::expr open_yes = (open && test).simplify();
       z3::expr open_no = (open && !test).simplify();
-      add(yes, wake.parts.at(0), open_yes, nap, ways);
-      add(no, wake.parts.at(1), open_no, nap, ways);
+      add(yes, wake.parts.at(0), open_yes, nap, returns);
+      add(no, wake.parts.at(1), open_no, nap, returns);
       memory = effects_.either(test, yes, no);
       open = (open_yes || open_no).simplify();
       return;

@@ -5,6 +5,7 @@
 
 #include "codegen/llvm/validate/mission_functions.h"
 #include "ir/core/pilot_name.h"
+#include "ir/core/walk.h"
 #include "ir/core/window_shape.h"
 #include "runtime/abi/glider_abi.h"
 #include "runtime/abi/leg.h"
@@ -28,18 +29,12 @@ constexpr uint32_t kSince = 2;
 constexpr double kFreshAge = 6;
 
 void addSensors(const ir::Mission& mission, ir::ExprId id, std::set<uint32_t>& sensors) {
-  if (!id.valid()) {
-    return;
-  }
-  std::set<uint32_t> parts{id.index};
-  for (auto part = parts.rbegin(); part != parts.rend(); ++part) {
-    const ir::Expr& expr = mission.exprs.at(*part);
-    if (expr.op == ir::Op::Sensor) {
-      sensors.insert(expr.sensor.index);
-    }
-    for (uint32_t i = 0; i < ir::operandCount(expr); ++i) {
-      parts.insert(expr.operands.at(i).index);
-    }
+  if (id.valid()) {
+    ir::forEachIn(mission, id, [&](const ir::Expr& expr) {
+      if (expr.op == ir::Op::Sensor) {
+        sensors.insert(expr.sensor.index);
+      }
+    });
   }
 }
 

@@ -5,12 +5,12 @@
 
 #include <bit>
 #include <cmath>
+#include <iterator>
 #include <utility>
 
 namespace glider::codegen::validate {
 namespace {
 
-constexpr unsigned kBits = 64;
 constexpr uint64_t kSignBit = uint64_t{1} << 63U;
 constexpr uint64_t kInfinity = uint64_t{0x7FF} << 52U;
 constexpr uint64_t kSmallestNormal = uint64_t{1} << 52U;
@@ -32,15 +32,15 @@ double doubleOf(const z3::expr& numeral) {
 }
 
 z3::expr Numbers::constant(double value) {
-  return std::isnan(value) ? unknown() : z3_.bv_val(std::bit_cast<uint64_t>(value), kBits);
+  return std::isnan(value) ? unknown() : z3_.bv_val(std::bit_cast<uint64_t>(value), kNumberBits);
 }
 
 z3::expr Numbers::unknown() {
-  return z3_.bv_val(kNan, kBits);
+  return z3_.bv_val(kNan, kNumberBits);
 }
 
 z3::expr Numbers::isKnown(const z3::expr& x) {
-  return z3::ule(magnitude(x), z3_.bv_val(kInfinity, kBits)).simplify();
+  return z3::ule(magnitude(x), z3_.bv_val(kInfinity, kNumberBits)).simplify();
 }
 
 z3::expr Numbers::kept(const z3::expr& x) {
@@ -48,7 +48,7 @@ z3::expr Numbers::kept(const z3::expr& x) {
   return x;
 }
 
-void Numbers::isCanonical(const z3::expr& x) {
+void Numbers::assumeCanonical(const z3::expr& x) {
   canonical_.insert(kept(x).id());
 }
 
@@ -57,17 +57,17 @@ z3::expr Numbers::canonical(const z3::expr& x) {
     return x;
   }
   z3::expr result = z3::ite(isKnown(x), x, unknown()).simplify();
-  isCanonical(result);
+  assumeCanonical(result);
   return result;
 }
 
 z3::expr Numbers::settle(const z3::expr& x) {
   const z3::expr size = magnitude(x);
-  z3::expr result =
-      z3::ite(z3::uge(size, z3_.bv_val(kInfinity, kBits)), unknown(),
-              z3::ite(z3::ule(size, z3_.bv_val(kSmallestNormal, kBits)), z3_.bv_val(0, kBits), x))
-          .simplify();
-  isCanonical(result);
+  z3::expr result = z3::ite(z3::uge(size, z3_.bv_val(kInfinity, kNumberBits)), unknown(),
+                            z3::ite(z3::ule(size, z3_.bv_val(kSmallestNormal, kNumberBits)),
+                                    z3_.bv_val(0, kNumberBits), x))
+                        .simplify();
+  assumeCanonical(result);
   return result;
 }
 
@@ -75,13 +75,13 @@ z3::expr Numbers::negate(const z3::expr& x) {
   if (const auto found = negated_.find(x.id()); found != negated_.end()) {
     return found->second;
   }
-  z3::expr result = (x ^ z3_.bv_val(kSignBit, kBits)).simplify();
+  z3::expr result = (x ^ z3_.bv_val(kSignBit, kNumberBits)).simplify();
   negated_.emplace(kept(result).id(), kept(x));
   return result;
 }
 
 z3::expr Numbers::magnitude(const z3::expr& x) {
-  return (x & z3_.bv_val(~kSignBit, kBits)).simplify();
+  return (x & z3_.bv_val(~kSignBit, kNumberBits)).simplify();
 }
 
 z3::expr Numbers::call(const std::string& name, const z3::sort& range,
@@ -89,7 +89,7 @@ z3::expr Numbers::call(const std::string& name, const z3::sort& range,
   z3::expr_vector given(z3_);
   z3::sort_vector sorts(z3_);
   for (const z3::expr& argument : arguments) {
-    const bool number = argument.is_bv() && argument.get_sort().bv_size() == kBits;
+    const bool number = argument.is_bv() && argument.get_sort().bv_size() == kNumberBits;
     given.push_back(number ? canonical(argument) : argument);
     sorts.push_back(argument.get_sort());
   }
@@ -97,11 +97,12 @@ z3::expr Numbers::call(const std::string& name, const z3::sort& range,
 }
 
 z3::expr Numbers::numberOf(const std::string& name, const std::vector<z3::expr>& arguments) {
-  return canonical(call(name, z3_.bv_sort(kBits), arguments));
+  return canonical(call(name, z3_.bv_sort(kNumberBits), arguments));
 }
 
 z3::expr Numbers::sqrt(const z3::expr& x) {
-  return x.is_numeral() ? constant(std::sqrt(doubleOf(x))) : numberOf("sqrt", {x});
+  return x.is_numeral() ? constant(std::sqrt(doubleOf(x)))
+                        : z3::ite(isKnown(x), numberOf("sqrt", {x}), unknown()).simplify();
 }
 
 z3::expr Numbers::rounded(const char* name, const z3::expr& a, const z3::expr& b) {
@@ -164,9 +165,10 @@ z3::expr Numbers::divide(const z3::expr& a, const z3::expr& b) {
 
 /// As signed numbers, these are in the order of the doubles, both zeros at 0.
 z3::expr Numbers::order(const z3::expr& x) {
-  const z3::expr zero = z3_.bv_val(0, kBits);
-  const z3::expr below = x ^ z3_.bv_val(~kSignBit, kBits);
-  return z3::ite(x == z3_.bv_val(kSignBit, kBits), zero, z3::ite(x < zero, below, x)).simplify();
+  const z3::expr zero = z3_.bv_val(0, kNumberBits);
+  const z3::expr below = x ^ z3_.bv_val(~kSignBit, kNumberBits);
+  return z3::ite(x == z3_.bv_val(kSignBit, kNumberBits), zero, z3::ite(x < zero, below, x))
+      .simplify();
 }
 
 z3::expr Numbers::less(const z3::expr& a, const z3::expr& b) {
@@ -184,21 +186,53 @@ z3::expr Numbers::compare(llvm::CmpInst::Predicate predicate, const z3::expr& a,
   constexpr unsigned kGreater = 2;
   constexpr unsigned kLess = 4;
   constexpr unsigned kUnordered = 8;
-  const auto bits = static_cast<unsigned>(predicate);
-  z3::expr result = z3_.bool_val(false);
-  if ((bits & kEqual) != 0) {
-    result = result || equal(a, b);
+  const auto set = static_cast<unsigned>(predicate);
+  if ((set & kUnordered) != 0) {
+    return (!compare(llvm::CmpInst::getInversePredicate(predicate), a, b)).simplify();
   }
-  if ((bits & kGreater) != 0) {
-    result = result || less(b, a);
+  const z3::expr known = isKnown(a) && isKnown(b);
+  switch (set) {
+    case kEqual:
+      return equal(a, b);
+    case kGreater:
+      return less(b, a);
+    case kLess:
+      return less(a, b);
+    case kEqual | kGreater:
+      return (known && !less(a, b)).simplify();
+    case kEqual | kLess:
+      return (known && !less(b, a)).simplify();
+    case kLess | kGreater:
+      return (known && !equal(a, b)).simplify();
+    case kEqual | kLess | kGreater:
+      return known.simplify();
+    default:
+      return z3_.bool_val(false);
   }
-  if ((bits & kLess) != 0) {
-    result = result || less(a, b);
+}
+
+z3::expr Numbers::isOfClass(const z3::expr& x, uint64_t classes) {
+  const auto bits = [&](uint64_t value) { return z3_.bv_val(value, kNumberBits); };
+  const z3::expr size = magnitude(x);
+  const z3::expr negative = x < bits(0);
+  const z3::expr infinite = size == bits(kInfinity);
+  const z3::expr zero = size == bits(0);
+  const z3::expr subnormal = !zero && z3::ult(size, bits(kSmallestNormal));
+  const z3::expr nan = z3::ugt(size, bits(kInfinity));
+  const z3::expr normal = !infinite && !zero && !subnormal && !nan;
+  const z3::expr quiet = nan && z3::uge(size, bits(kNan));
+  const z3::expr is[] = {nan && !quiet,         quiet,
+                         negative && infinite,  negative && normal,
+                         negative && subnormal, negative && zero,
+                         !negative && zero,     !negative && subnormal,
+                         !negative && normal,   !negative && infinite};
+  z3::expr any = z3_.bool_val(false);
+  for (size_t i = 0; i < std::size(is); ++i) {
+    if ((classes >> i & 1U) != 0) {
+      any = any || is[i];
+    }
   }
-  if ((bits & kUnordered) != 0) {
-    result = result || !(isKnown(a) && isKnown(b));
-  }
-  return result.simplify();
+  return any.simplify();
 }
 
 z3::expr Numbers::fromWhole(const z3::expr& whole) {
@@ -213,7 +247,7 @@ z3::expr Numbers::toWhole(const z3::expr& x) {
   const z3::expr whole = call("to_whole", z3_.bv_sort(32), {x});
   const z3::expr inside =
       !less(x, constant(0)) && less(x, constant(static_cast<double>(whole_count_)));
-  addFact(z3::implies(inside, z3::ult(whole, z3_.bv_val(whole_count_, 32))));
+  addFact(whole, z3::implies(inside, z3::ult(whole, z3_.bv_val(whole_count_, 32))));
   return whole;
 }
 
@@ -221,17 +255,18 @@ void Numbers::learnWhole(uint32_t count) {
   for (; whole_count_ < count; ++whole_count_) {
     const z3::expr whole = z3_.bv_val(whole_count_, 32);
     const z3::expr number = constant(whole_count_);
-    addFact(call("from_whole", z3_.bv_sort(kBits), {whole}) == number);
-    addFact(call("to_whole", z3_.bv_sort(32), {number}) == whole);
+    // Of every whole number: no term shows where it matters.
+    addFact(z3_.bool_val(true), call("from_whole", z3_.bv_sort(kNumberBits), {whole}) == number);
+    addFact(z3_.bool_val(true), call("to_whole", z3_.bv_sort(32), {number}) == whole);
   }
 }
 
 std::optional<z3::expr> resultOf(const std::string& name, const std::vector<z3::expr>& operands) {
   z3::context& z3 = operands.front().ctx();
   const auto number = [&](double value) {
-    return z3.bv_val(std::isnan(value) ? kNan : std::bit_cast<uint64_t>(value), kBits);
+    return z3.bv_val(std::isnan(value) ? kNan : std::bit_cast<uint64_t>(value), kNumberBits);
   };
-  const double a = operands[0].get_sort().bv_size() == kBits ? doubleOf(operands[0]) : 0;
+  const double a = operands[0].get_sort().bv_size() == kNumberBits ? doubleOf(operands[0]) : 0;
   if (name == "sqrt") {
     return number(std::sqrt(a));
   }
@@ -241,7 +276,7 @@ std::optional<z3::expr> resultOf(const std::string& name, const std::vector<z3::
   if (name == "to_whole" && std::abs(a) < INT32_MAX) {
     return z3.bv_val(static_cast<int32_t>(a), 32);
   }
-  if (operands.size() != 2 || operands[1].get_sort().bv_size() != kBits) {
+  if (operands.size() != 2 || operands[1].get_sort().bv_size() != kNumberBits) {
     return {};
   }
   const double b = doubleOf(operands[1]);

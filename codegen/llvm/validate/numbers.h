@@ -15,6 +15,8 @@
 
 namespace glider::codegen::validate {
 
+inline constexpr unsigned kNumberBits = 64;
+
 /// Doubles as terms for Z3: 64 bits each, with their order, sign and NaN exactly as IEEE 754 has
 /// them. Operations that round are functions of which nothing is known but that equal operands give
 /// equal results, in a normal form: code and mission agree if they round the same operands in the
@@ -29,8 +31,8 @@ class Numbers {
   z3::expr isKnown(const z3::expr& x);
   /// The same number, a NaN as the one that is used here.
   z3::expr canonical(const z3::expr& x);
-  /// Must be called for terms that hold no other NaN.
-  void isCanonical(const z3::expr& x);
+  /// `x` is a term that has no other NaN.
+  void assumeCanonical(const z3::expr& x);
   /// ir/README.md: infinities and NaN become unknown, magnitudes of 2^-1022 or less +0.
   z3::expr settle(const z3::expr& x);
 
@@ -45,6 +47,8 @@ class Numbers {
   /// False if either is a NaN.
   z3::expr less(const z3::expr& a, const z3::expr& b);
   z3::expr equal(const z3::expr& a, const z3::expr& b);
+  /// Whether it is of one of the classes of LLVM's is.fpclass, a bit each.
+  z3::expr isOfClass(const z3::expr& x, uint64_t classes);
   z3::expr compare(llvm::CmpInst::Predicate predicate, const z3::expr& a, const z3::expr& b);
 
   /// A double and a whole number of 32 bits, signed, as each other (LLVM's sitofp and fptosi).
@@ -59,9 +63,13 @@ class Numbers {
   /// The same, for a result that is a number: canonical.
   z3::expr numberOf(const std::string& name, const std::vector<z3::expr>& arguments);
 
-  /// Facts about the terms made so far.
-  [[nodiscard]] const std::vector<z3::expr>& facts() const { return facts_; }
-  void addFact(const z3::expr& fact) { facts_.push_back(fact); }
+  /// What is known of a term; it matters only where that occurs.
+  struct Fact {
+    z3::expr about;
+    z3::expr holds;
+  };
+  [[nodiscard]] const std::vector<Fact>& facts() const { return facts_; }
+  void addFact(const z3::expr& about, const z3::expr& holds) { facts_.push_back({about, holds}); }
 
   z3::context& z3() { return z3_; }
 
@@ -72,7 +80,7 @@ class Numbers {
   z3::expr kept(const z3::expr& x);
 
   z3::context& z3_;
-  std::vector<z3::expr> facts_;
+  std::vector<Fact> facts_;
   std::vector<z3::expr> kept_;  ///< so that their numbers stay theirs
   std::unordered_set<unsigned> canonical_;
   std::unordered_map<unsigned, z3::expr> negated_;

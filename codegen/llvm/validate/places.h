@@ -32,8 +32,8 @@ enum class CellKind : uint8_t {
 struct Cell {
   CellKind kind = CellKind::Number;
   uint32_t bytes = 8;
-  std::string name;        ///< as a pilot says it: "depth", "the variable `n`"
-  bool of_vehicle = true;  ///< not changed by the runtime's functions
+  std::string name;    ///< as a pilot says it: "depth", "the variable `n`"
+  bool stable = true;  ///< no function that a mission calls changes it
 };
 
 /// The memory of a running mission: the context, and the arrays behind its pointers, which do not

@@ -8,7 +8,10 @@
 #include <llvm/IR/IntrinsicInst.h>
 #include <llvm/IR/Operator.h>
 
+#include <map>
+#include <optional>
 #include <set>
+#include <vector>
 
 namespace glider::codegen::validate {
 
@@ -23,24 +26,32 @@ class Run {
     z3::expr value;                               ///< of a place in a table: the offset
     const llvm::GlobalVariable* table = nullptr;  ///< numbers that are chosen from by their place
   };
-  /// How a block is reached, and the memory then.
-  struct Edge {
-    z3::expr when;
+  using Locals = std::map<Address, z3::expr>;
+  struct Way {
+    z3::expr when;  ///< if none before it is taken
+    const llvm::BasicBlock* to = nullptr;
+  };
+  /// The end of a block.
+  struct End {
     Memory memory;
-    std::map<Address, z3::expr> locals;
+    Locals locals;
+    std::vector<Way> ways;
   };
 
   // Flow.
-  void enter(const llvm::BasicBlock& block);
-  void leave(const llvm::BasicBlock& block);
-  void go(const llvm::BasicBlock& from, const llvm::BasicBlock& to, const z3::expr& when);
+  void enter(const llvm::BasicBlock& block, const llvm::BasicBlock& split);
+  std::vector<Way> waysFrom(const llvm::BasicBlock& block);
+  template <typename Value, typename Last, typename Either>
+  std::optional<Value> meeting(size_t split, const llvm::BasicBlock* place, Last last,
+                               Either either);
+  Outcome together();
   Term phi(const llvm::PHINode& phi);
 
   // Instructions.
   void execute(const llvm::Instruction& instruction);
   Term meaning(const llvm::Instruction& instruction);
   z3::expr binary(const llvm::BinaryOperator& binary);
-  z3::expr whole(const llvm::BinaryOperator& binary);
+  z3::expr integer(const llvm::BinaryOperator& binary);
   z3::expr integerComparison(const llvm::ICmpInst& comparison);
   z3::expr cast(const llvm::CastInst& cast);
   z3::expr choice(const llvm::SelectInst& select);
@@ -57,14 +68,14 @@ class Run {
   z3::expr callTable(const llvm::CallInst& call);
   void callNote(const llvm::CallInst& call);
   void fill(const llvm::MemSetInst& fill);
-  z3::expr isOfClass(const z3::expr& x, uint64_t classes);
 
   Term term(const llvm::Value* value);
   z3::expr value(const llvm::Value* value);
   z3::expr constant(const llvm::Constant& constant);
   /// A pointer that is one address.
   Address address(const llvm::Value* pointer);
-  uint64_t whole(const llvm::Value* value, const char* what);
+  /// A number that is one in every run; `what` is met otherwise.
+  uint64_t numeral(const llvm::Value* value, const char* what);
   z3::expr anything(const llvm::Type& type);
   z3::sort sortOf(const llvm::Type& type);
   std::vector<z3::expr> arguments(const llvm::CallInst& call, unsigned first);
@@ -76,11 +87,13 @@ class Run {
   Code& code_;
   const llvm::Function& function_;
   llvm::DenseMap<const llvm::Value*, Term> terms_;
-  std::map<const llvm::BasicBlock*, std::vector<std::pair<const llvm::BasicBlock*, Edge>>> edges_;
-  z3::expr here_{code_.effects_.z3()};  ///< whether the block is reached
+  std::vector<const llvm::BasicBlock*> order_;  ///< the blocks so far, by their numbers
+  std::vector<End> ends_;                       ///< by the same numbers
+  llvm::DenseMap<const llvm::BasicBlock*, size_t> places_;
+  size_t split_ = 0;  ///< where the ways part that meet in the present block
   Memory memory_{{}, z3::expr(code_.effects_.z3())};
-  std::set<Address> frames_;            ///< the function's own objects
-  std::map<Address, z3::expr> locals_;  ///< the function's own memory
+  std::set<Address> frames_;  ///< the function's own objects
+  Locals locals_;             ///< the function's own memory
 };
 
 }  // namespace glider::codegen::validate

@@ -35,10 +35,10 @@ enum class Returns : uint8_t { Nothing, Case };
 /// not fit into memory together.
 class Part {
  public:
-  Part(const Input& input, const llvm::Module& module, const llvm::Module& short_ones)
+  Part(const Input& input, const llvm::Module& module, const llvm::Module& inlinable)
       : mission_(input.mission),
         module_(module),
-        short_ones_(short_ones),
+        inlinable_(inlinable),
         index_(indexMission(input.mission)),
         types_(makeAbiTypes(module.getContext())) {}
 
@@ -69,7 +69,7 @@ class Part {
     validate::Numbers numbers(z3);
     validate::Places places(mission_, index_, types_, module_.getDataLayout());
     validate::Effects effects(numbers, places);
-    validate::Code code(effects, module_, short_ones_);
+    validate::Code code(effects, inlinable_);
     validate::MissionFunctions meaning(code, mission_, index_);
     const z3::expr word = z3.bv_const("word", 32);
     const Outcome says = meant(meaning, word);
@@ -94,7 +94,7 @@ class Part {
 
   const ir::Mission& mission_;
   const llvm::Module& module_;
-  const llvm::Module& short_ones_;
+  const llvm::Module& inlinable_;
   MissionIndex index_;
   AbiTypes types_;
 };
@@ -126,7 +126,7 @@ void Part::state(uint32_t number) {
   found.push_back(validate::compareState(mission_, id, table));
   function("the cases of " + name, fieldOf(table, field::guards), Returns::Case,
            [&](auto& meaning, const z3::expr& word) {
-             return meaning.guards(state.cases, false, word);
+             return meaning.guards(state.cases, ir::ListKind::State, word);
            });
   function("the actions of " + name, fieldOf(table, field::act), Returns::Nothing,
            [&](auto& meaning, const z3::expr& word) { return meaning.act(state.cases, word); });
@@ -158,7 +158,7 @@ void Part::head(uint32_t stack_depth) {
            [](auto& meaning, const z3::expr&) { return meaning.advanceAlways(); });
   function("the cases of `always`", fieldOf(table, field::guards), Returns::Case,
            [&](auto& meaning, const z3::expr& word) {
-             return meaning.guards(mission_.always, true, word);
+             return meaning.guards(mission_.always, ir::ListKind::Always, word);
            });
   function("the actions of `always`", fieldOf(table, field::act), Returns::Nothing,
            [&](auto& meaning, const z3::expr& word) { return meaning.act(mission_.always, word); });
@@ -170,15 +170,15 @@ void Part::head(uint32_t stack_depth) {
 
 support::Result<Validation> validatePart(const Input& input, const MissionPart& part,
                                          const llvm::Module& module,
-                                         const std::filesystem::path& short_ones) {
-  auto bitcode = support::readFile(short_ones.string());
+                                         const std::filesystem::path& inlinable) {
+  auto bitcode = support::readFile(inlinable.string());
   if (!bitcode) {
     return std::unexpected(bitcode.error());
   }
-  auto runtime = llvm::parseBitcodeFile(llvm::MemoryBufferRef(*bitcode, short_ones.string()),
+  auto runtime = llvm::parseBitcodeFile(llvm::MemoryBufferRef(*bitcode, inlinable.string()),
                                         module.getContext());
   if (!runtime) {
-    return support::fail(support::diagnostics::badRuntime, short_ones.string(),
+    return support::fail(support::diagnostics::badRuntime, inlinable.string(),
                          llvm::toString(runtime.takeError()));
   }
   Part compared(input, module, **runtime);

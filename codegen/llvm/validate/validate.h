@@ -17,11 +17,11 @@
 /// trusted instead.
 namespace glider::codegen {
 
-/// Compares the optimised `module` of a part of the mission with the mission. `short_ones` is the
+/// Compares the optimised `module` of a part of the mission with the mission. `inlinable` is the
 /// bitcode of the runtime's functions that may have been inlined. GL9001, GL9050 if that cannot be
 /// read.
 support::Result<Validation> validatePart(const Input& input, const MissionPart& part,
                                          const llvm::Module& module,
-                                         const std::filesystem::path& short_ones);
+                                         const std::filesystem::path& inlinable);
 
 }  // namespace glider::codegen

@@ -77,6 +77,12 @@ ProofContext ProofContext::withDepthKnown() const {
   return seen;
 }
 
+ProofContext ProofContext::ofVersion(const Mission& changed) const {
+  ProofContext same(changed, platform);
+  same.tick_gap_s = tick_gap_s;
+  return same;
+}
+
 ProofContext ProofContext::withoutPowerCuts() const {
   ProofContext same = *this;
   same.tick_gap_s = platform.world.tick_gap_s;

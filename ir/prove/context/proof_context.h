@@ -48,6 +48,8 @@ struct ProofContext {
   double tick_gap_s;
   /// No tick comes at a later mission time, s.
   double latest_s = std::numeric_limits<double>::max();
+  /// The same of a mission that differs from this one, and outlives the result.
+  [[nodiscard]] ProofContext ofVersion(const Mission& changed) const;
   /// The same for an SBC whose power is never cut.
   [[nodiscard]] ProofContext withoutPowerCuts() const;
   /// The same while the vehicle's depth is never unknown.

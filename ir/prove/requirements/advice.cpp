@@ -82,8 +82,7 @@ std::string wordsOf(const Mission& m, const Case& c) {
 }
 
 bool endsInTime(const Mission& changed, double seconds, const ProofContext& proof_context) {
-  ProofContext context(changed, proof_context.platform);
-  context.tick_gap_s = proof_context.tick_gap_s;
+  const ProofContext context = proof_context.ofVersion(changed);
   const EndBound end = boundOf(context, kLongestMission, Goal::Exit);
   return end.by && std::ranges::max(end.left_by) <= seconds;
 }

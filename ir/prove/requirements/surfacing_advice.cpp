@@ -153,8 +153,7 @@ bool asksTimer(const Mission& m, ExprId guard) {
 }
 
 bool surfacesInTime(const Mission& changed, double seconds, const ProofContext& proof_context) {
-  ProofContext context(changed, proof_context.platform);
-  context.tick_gap_s = proof_context.tick_gap_s;
+  const ProofContext context = proof_context.ofVersion(changed);
   const EndBound end = boundOf(context, kLongestMission, Goal::Exit);
   const auto longest = longestSubmersion(context, end, kLongestMission);
   return longest && *longest <= seconds;

@@ -5,6 +5,7 @@
 
 #include "driver/usage/quantity.h"
 #include "driver/usage/values.h"
+#include "ir/prove/prove.h"
 
 #include <fmt/format.h>
 
@@ -37,13 +38,12 @@ void addLaunchOptions(CLI::App& command, flights::LaunchChoice& choice) {
 }
 
 void addProofOptions(CLI::App& command, unsigned& effort, std::optional<double>& timeout_s) {
-  constexpr unsigned kMostEffort = 100;
   constexpr double kShortestTimeout_s = 0.001, kLongestTimeout_s = 1e6;
   command
       .add_option("--effort", effort,
                   "Multiply the resource limits of proofs by N: 1 million steps of Z3 a question, "
                   "40 million all requirements of a mission [1]")
-      ->check(CLI::Range(1U, kMostEffort))
+      ->check(CLI::Range(1U, ir::prove::kMostRaised))
       ->option_text("N");
   addDurationOption(command, "--timeout", timeout_s, kShortestTimeout_s, kLongestTimeout_s,
                     "Begin no question of a proof later than this after the first, as in 5s or "

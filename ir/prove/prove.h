@@ -30,7 +30,12 @@ enum class Verdict : uint8_t { Proved, Refuted, Open };
 /// "proved", "refuted", "undecided".
 const char* word(Verdict verdict);
 
+/// The most by which `--effort` raises the limits of proofs.
+inline constexpr unsigned kMostRaised = 100;
+
 struct Options {
+  /// By how much `--effort` has raised the limits below, for hints.
+  unsigned raised = 1;
   /// The resource limit of Z3 for one question, in its own count of steps (`rlimit`), so the answer
   /// does not depend on the machine. A question that exceeds it has no answer, and nothing is
   /// reported.

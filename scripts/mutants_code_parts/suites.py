@@ -36,6 +36,7 @@ JUDGED = Suite("tests/random_missions_judged_test")
 PROOFS = Suite("tests/proofs_test")
 FRONTEND = Suite("tests/frontend_test")
 CODEGEN = Suite("tests/codegen_test")
+VALIDATE = Suite("tests/validate_test")
 PHYSICS = Suite("tests/simulator_physics_test")
 FLIGHT = Suite("tests/simulator_flight_test")
 SBC = Suite("tests/simulator_sbc_test")
@@ -76,6 +77,7 @@ SUITES = {
     "ir/verify": (IR, RANDOM, GOLDEN, FRONTEND, JUDGED, COMMAND, SPIN),
     "ir/prove": (IR, GOLDEN, PROOFS, COMMAND),
     "codegen": (CODEGEN, OPERATIONS, JUDGED, COMMAND),
+    "codegen/llvm/validate": (VALIDATE,),
     "frontend": (FRONTEND, GOLDEN, COMMAND, DOCS),
     "simulator": (PHYSICS, FLIGHT, SBC, FLIGHTS),
     "report": (REPORT, COMMAND),

@@ -33,6 +33,7 @@ ir::prove::Options proverOptions(const Run& run) {
   how.report = options.report;
   how.evidence = options.evidence;
   how.known_starts = startsOf(run);
+  how.raised = options.effort;
   how.effort *= options.effort;
   how.run_effort *= options.effort;
   how.total_effort *= options.effort;

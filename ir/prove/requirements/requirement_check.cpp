@@ -40,8 +40,12 @@ std::string notViolatedBy(const std::vector<Flown>& flown, const Requirement& re
 }
 
 /// A limit is worth raising only where one was reached.
-const char* whatMayHelp(std::string_view reason) {
-  return isCutShort(reason) ? "simplify the requirement, or allow more with `--effort`"
+std::string whatMayHelp(std::string_view reason, const Options& options) {
+  constexpr unsigned kWorthTrying = 4;  // less is rarely enough
+  const unsigned more = std::min(kWorthTrying * options.raised, kMostRaised);
+  return isCutShort(reason) && more > options.raised
+             ? fmt::format("simplify the requirement, or let the search take longer: `--effort {}`",
+                           more)
          : reason.contains("`--timeout`")
              ? "simplify the requirement, or allow more time with `--timeout`"
          : reason.contains("power table") ? "allow more energy, or let the mission take less"
@@ -239,8 +243,9 @@ void RequirementCheck::settle(Judged& judged) {
     return;
   }
   const Requirement& requirement = requirementOf(judged);
-  auto warning = context_.proof.diagnostics.report(
-      support::diagnostics::requirementOpen, requirement.range, whatMayHelp(judged.verdict.reason));
+  auto warning =
+      context_.proof.diagnostics.report(support::diagnostics::requirementOpen, requirement.range,
+                                        whatMayHelp(judged.verdict.reason, context_.proof.options));
   warning.note(requirement.range, judged.verdict.reason);
   const ProofContext& proof_context = context_.proof.proof_context;
   if (requirement.kind == RequirementKind::SurfacesEvery) {

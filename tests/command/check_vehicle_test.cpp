@@ -162,6 +162,54 @@ TEST_F(CheckVehicle, WhatAbendAbortsIsAnError) {
       with("b_arg: overdepth(m) -1\nb_arg: overtime(s) -1\nb_arg: undervolts(volts) -1\n", ""));
 }
 
+/// abend counts since the last fix or contact.
+TEST_F(CheckVehicle, UnderWaterForLongerThanAbendAllows) {
+  const std::string allowed =
+      "and abend allows 50 min 0 s without a fix or contact "
+      "(no_cop_tickle_for in v.mi)";
+  const std::string limit = "b_arg: no_cop_tickle_for(sec) 3000\n";
+  expectError(with(limit, ""),
+              "the vehicle aborts the mission: the mission may stay under water for 1 h 0 min 20 "
+              "s, " +
+                  allowed);
+  expectFine(with("b_arg: no_cop_tickle_for(sec) 3620\n", ""));
+  expectFine(with("b_arg: no_cop_tickle_for(sec) -1\n", ""));
+  const auto surfaces_after = [&](const std::string& time) {
+    const auto file = folder_.write("up.mission",
+                                    "mission m\nstate survey\nbegin\n"
+                                    "  flightprofile yo(5 m, 20 m, 26 deg, 26 deg)\n"
+                                    "  sensors missiontime, statetime\n  events\n"
+                                    "    case statetime >= " +
+                                        time +
+                                        " goto up\nend\n"
+                                        "state up\nbegin\n  flightprofile surfaced\n"
+                                        "  sensors statetime\n  events\n"
+                                        "    case missiontime >= 2 h exit\n"
+                                        "    case statetime >= 20 min goto survey\nend\n");
+    return runShell("$GLIDERCC check --mi " + vehicle(limit, "") + " " + file.string());
+  };
+  expectFine(surfaces_after("30 min"));
+  // It comes up, and the bound on when may be far above what happens.
+  const Outcome late = surfaces_after("55 min");
+  EXPECT_EQ(late.status, 0) << late.err;
+  EXPECT_THAT(late.err, HasSubstr("warning: the vehicle may not follow the mission"));
+  EXPECT_THAT(late.err, HasSubstr(allowed));
+}
+
+/// A behaviour above hookbeh gets the fix.
+TEST_F(CheckVehicle, TheVehicleItselfMayComeUpInTime) {
+  const auto with_surface = [&](const std::string& seconds) {
+    const auto file = folder_.write(
+        "own.mi",
+        "behavior: abend\nb_arg: no_cop_tickle_for(sec) 3000\n"
+        "behavior: surface\nb_arg: start_when(enum) 12\nb_arg: when_secs(sec) " +
+            seconds + "\nb_arg: end_action(enum) 1\nbehavior: hookbeh\nb_arg: max_depth(m) 30\n");
+    return runShell("$GLIDERCC check --mi " + file.string() + " " + mission());
+  };
+  EXPECT_THAT(with_surface("1200").err, Not(HasSubstr("no_cop_tickle_for")));
+  EXPECT_THAT(with_surface("2900").err, HasSubstr("no_cop_tickle_for"));
+}
+
 TEST_F(CheckVehicle, AScenarioSaysWhereItStarts) {
   const std::string here = "assume start inside(39 N 74 W, 39 N 73 W, 40 N 73.5 W)\n";
   const std::string there = "assume start inside(49 N 74 W, 49 N 73 W, 50 N 73.5 W)\n";

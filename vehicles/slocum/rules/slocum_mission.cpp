@@ -10,6 +10,7 @@
 #include "vehicles/slocum/rules/port/port_file.h"
 #include "vehicles/slocum/rules/port/port_mission.h"
 #include "vehicles/slocum/rules/refused_commands.h"
+#include "vehicles/slocum/rules/untickled.h"
 #include "vehicles/slocum/rules/vehicle_file.h"
 #include "vehicles/slocum/rules/vehicle_guards.h"
 #include "vehicles/slocum/rules/vehicle_limits.h"
@@ -50,6 +51,7 @@ class FileOfSlocum final : public vehicles::OwnMission {
     const auto layers = layersOf(behaviours_, platform);
     checkGuards(worlds.written, file_, layers, diagnostics);
     checkSameDepth(worlds.written, file_, diagnostics);
+    checkUntickled(worlds.written, file_, layers, diagnostics);
     const MissionTimes times(worlds.widest, std::max(0.0, file_.guards.start_secs));
     for (const Disturbance& one : disturbances(behaviours_, layers, times, platform)) {
       const bool masks = one.kind == Disturbance::Kind::Masks;

@@ -38,7 +38,8 @@ AbortLimits abortsOf(const slocum::MissionFile& file) {
   return abend == nullptr
              ? AbortLimits()
              : AbortLimits{limitOf(*abend, "overdepth"), limitOf(*abend, "overtime"),
-                           limitOf(*abend, "undervolts"), limitOf(*abend, "samedepth_for")};
+                           limitOf(*abend, "undervolts"), limitOf(*abend, "samedepth_for"),
+                           limitOf(*abend, "no_cop_tickle_for")};
 }
 
 support::Result<VehicleFile> vehicleFileOf(const MissionFile& file, const std::string& path) {

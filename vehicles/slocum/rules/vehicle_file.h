@@ -22,6 +22,7 @@ struct AbortLimits {
   std::optional<double> overtime_s;  ///< since the vehicle's mission began
   std::optional<double> undervolts_V;
   std::optional<double> samedepth_for_s;  ///< under water, within 1 m
+  std::optional<double> untickled_s;      ///< since the last fix or contact
 };
 
 /// Where hookbeh makes the vehicle climb, for any command of the SBC, and from when on it is ready.

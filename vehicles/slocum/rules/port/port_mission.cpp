@@ -10,6 +10,7 @@
 #include "vehicles/slocum/rules/port/port_masks.h"
 #include "vehicles/slocum/rules/port/port_whole.h"
 #include "vehicles/slocum/rules/port_commands.h"
+#include "vehicles/slocum/rules/untickled.h"
 #include "vehicles/slocum/rules/vehicle_limits.h"
 #include "vehicles/slocum/rules/vehicle_premise.h"
 
@@ -55,6 +56,7 @@ class PortOfSlocum final : public vehicles::OwnMission {
     for (const Disturbance& one : portMasks(behaviours_, port)) {
       diagnostics.report(support::diagnostics::commandsMasked, one.range, one.what, one.change);
     }
+    checkUntickled(worlds.written, fileOn(platform), layersOf(behaviours_, platform), diagnostics);
   }
 
   std::vector<std::string> checkEndings(const ir::WidestWorld& world,

@@ -28,6 +28,8 @@ namespace {
 
 constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
 constexpr double kFar = 1e9;  ///< of a range without an end
+/// Ticks after which a sparse flight may be given up.
+constexpr size_t kSoon = 6;
 constexpr double kLostTick = 0.01;
 constexpr double kPowerCut = 0.005;
 constexpr double kClockUnknown = 0.02;
@@ -72,13 +74,17 @@ class RandomFlight {
     }
   }
 
-  std::optional<Counterexample> fly() {
+  Flight fly() {
     if (starts_nowhere_) {
-      return std::nullopt;
+      return {};
     }
     double time = 0;
+    size_t i = 0;
     recorder_.start(parameters(), readings(time), vehicle_.depth());
-    for (size_t i = 0; i < length_.ticks && !recorder_.hit() && !recorder_.last().finished; ++i) {
+    for (; i < length_.ticks && !recorder_.hit() && !recorder_.last().finished; ++i) {
+      if (i == kSoon && length_.sparse && calm_ && recorder_.last().state != StateId{0}) {
+        return {std::nullopt, i, /*given_up=*/true};
+      }
       vehicle_.obey(recorder_.last().actions, time);
       const double step = untilNextTick();
       if (place_) {
@@ -88,7 +94,7 @@ class RandomFlight {
       time += step;
       recorder_.tick(time, readings(time), vehicle_.depth());
     }
-    return recorder_.hit() ? std::optional(recorder_.take()) : std::nullopt;
+    return {recorder_.hit() ? std::optional(recorder_.take()) : std::nullopt, i};
   }
 
  private:
@@ -317,7 +323,8 @@ std::optional<Counterexample> flyAtRandom(const ProofContext& proof_context, uin
                                           size_t ticks) {
   return RandomFlight(proof_context, stack_depth, requirements,
                       aboutPlaceOf(proof_context, requirements), seed, {ticks})
-      .fly();
+      .fly()
+      .violation;
 }
 
 const Requirement* aboutPlaceOf(const ProofContext& proof_context,
@@ -328,9 +335,9 @@ const Requirement* aboutPlaceOf(const ProofContext& proof_context,
   return found == requirements.end() ? nullptr : &*found;
 }
 
-std::optional<Counterexample> flyAtRandom(const ProofContext& proof_context, uint32_t stack_depth,
-                                          const Requirement& requirement, const Requirement* place,
-                                          uint64_t seed, FlightLength length) {
+Flight flyAtRandom(const ProofContext& proof_context, uint32_t stack_depth,
+                   const Requirement& requirement, const Requirement* place, uint64_t seed,
+                   FlightLength length) {
   return RandomFlight(proof_context, stack_depth, std::span(&requirement, 1), place, seed, length)
       .fly();
 }

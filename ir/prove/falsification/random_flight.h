@@ -16,8 +16,17 @@ struct ProofContext;
 /// How far a random flight is followed.
 struct FlightLength {
   size_t ticks = 0;
-  /// Every tick comes as late as it may without a power cut: the same time in fewer ticks.
+  /// Every tick comes as late as it may without a power cut: the same time in fewer ticks. A flight
+  /// whose readings stay the same is given up if they lead out of the first state at once: most
+  /// readings do, and to see what a mission does after many hours others are needed.
   bool sparse = false;
+};
+
+/// A random flight.
+struct Flight {
+  std::optional<Counterexample> violation;
+  size_t ticks = 0;       ///< that it has taken
+  bool given_up = false;  ///< by FlightLength::sparse
 };
 
 /// A random flight in the environment model of proofs (docs/verification.md), written without
@@ -38,9 +47,9 @@ const Requirement* aboutPlaceOf(const ProofContext& proof_context,
                                 std::span<const Requirement> requirements);
 
 /// The same for one requirement; `place` is aboutPlaceOf it, computed once for many flights.
-std::optional<Counterexample> flyAtRandom(const ProofContext& proof_context, uint32_t stack_depth,
-                                          const Requirement& requirement, const Requirement* place,
-                                          uint64_t seed, FlightLength length);
+Flight flyAtRandom(const ProofContext& proof_context, uint32_t stack_depth,
+                   const Requirement& requirement, const Requirement* place, uint64_t seed,
+                   FlightLength length);
 
 /// The same for one requirement.
 inline std::optional<Counterexample> flyAtRandom(const ProofContext& proof_context,

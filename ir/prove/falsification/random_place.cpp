@@ -96,7 +96,9 @@ double RandomPlace::course() {
 }
 
 void RandomPlace::move(double seconds, bool at_surface, bool dark) {
-  const double way = speed_ * seconds;
+  // What glides gets ahead only while it dives or climbs.
+  const bool rests = at_surface && !platform_.envelope.steersBySpeed();
+  const double way = rests ? 0 : speed_ * seconds;
   heading_ += turn_ * seconds;
   if (dark) {
     go(dice_.within(0, kTurn), way);

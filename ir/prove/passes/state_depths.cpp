@@ -1,11 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The glidercc authors
 // SPDX-License-Identifier: Apache-2.0
 
-// The pass `stateDepths`: conditions on `depth` that do not fit the depths that a state commands:
-// never true (GL3115), or true only above all of them (GL3120). In: the deepest and the shallowest
-// commands of each state; out: warnings, and Proof::said. GL3115 is certain in the environment
-// model (V2 to V4, V7); GL3120 is a hint, because a vehicle that comes from above passes that
-// depth. Cases of `always` are not checked: they often guard against failures.
+// The pass `stateDepths`: conditions on `depth`, in the cases of a state and its lines `sample`,
+// that do not fit the depths that the state commands: never true (GL3115), or true only above all
+// of them (GL3120). In: the deepest and the shallowest commands of each state; out: warnings, and
+// Proof::said. GL3115 is certain in the environment model (V2 to V4, V7); GL3120 is a hint, because
+// a vehicle that comes from above passes that depth. Cases of `always` are not checked: they often
+// guard against failures.
 
 #include "ir/prove/abstract/state_depths.h"
 
@@ -31,7 +32,8 @@ namespace {
 constexpr double kWithoutEnd = std::numeric_limits<double>::infinity();
 
 /// Looks for conditions on the depth that do not fit the depths to which a state's commands lead.
-/// Only the state's own cases: one of `always` is for all states, and often for failures.
+/// Only the state's own cases, and where it reads its instruments: a case of `always` is for all
+/// states, and often for failures.
 class DepthCheck {
  public:
   explicit DepthCheck(Proof& proof)
@@ -50,6 +52,9 @@ class DepthCheck {
           checkDeepest({i}, m_.states[i].cases[k].guard);
           checkShallowest({i}, m_.states[i].cases[k]);
         }
+      }
+      for (const Sampling& sampling : m_.states[i].sampling) {
+        checkSampling({i}, sampling.code);
       }
     }
   }
@@ -109,6 +114,24 @@ class DepthCheck {
                     "`{}` is wrong by at most {:.4g} m",
                     deepest, m_[*proof_context_.depth].name,
                     proof_context_.platform.world.depth_error_m));
+  }
+
+  /// Where an instrument reads: `sample … below 60 m` of a state that stays above.
+  void checkSampling(StateId state, ExprId code) {
+    std::vector<ExprId> open{code};
+    while (!open.empty()) {
+      const Expr& e = m_[open.back()];
+      open.pop_back();
+      if (e.op != Op::Select) {
+        continue;
+      }
+      const ExprId condition = e.operands[0];
+      if (m_[condition].op != Op::Known && readsDepth(condition)) {
+        checkDeepest(state, condition);
+      }
+      open.push_back(e.operands[1]);
+      open.push_back(e.operands[2]);
+    }
   }
 
   double deepestOf(StateId state) {

@@ -67,18 +67,44 @@ std::set<uint32_t> sensorsOf(const Mission& m, ExprId root) {
   return found;
 }
 
-/// Whether a case of `always` acts on a reading that the requirement is about.
-bool alwaysActsOn(const Mission& m, const Requirement& requirement) {
+/// The cases of `always` that act on a reading which the requirement is about.
+std::vector<const Case*> actingOn(const Mission& m, const Requirement& requirement) {
   std::set<uint32_t> asked = sensorsOf(m, requirement.condition);
   if (requirement.monitor.step.valid()) {
     forEachStatement(m, requirement.monitor.step,
                      [&](const Statement& s) { asked.merge(sensorsOf(m, s.value)); });
   }
-  return std::ranges::any_of(m.always, [&](const Case& c) {
-    return c.transition != Transition::Stay &&
-           std::ranges::any_of(sensorsOf(m, c.guard),
-                               [&](uint32_t sensor) { return asked.contains(sensor); });
-  });
+  std::vector<const Case*> acting;
+  for (const Case& c : m.always) {
+    if (c.transition != Transition::Stay &&
+        std::ranges::any_of(sensorsOf(m, c.guard),
+                            [&](uint32_t sensor) { return asked.contains(sensor); })) {
+      acting.push_back(&c);
+    }
+  }
+  return acting;
+}
+
+/// Whether both lead to the same state, for good.
+bool leadToTheSame(const Case& a, const Case& b) {
+  return a.transition == Transition::Goto && b.transition == Transition::Goto &&
+         a.target == b.target;
+}
+
+/// Whether it is about more than one tick.
+bool lasts(const Requirement& requirement) {
+  return requirement.seconds > 0 || requirement.monitor.horizon_s > 0;
+}
+
+/// A promise about one tick that the cases of a state keep.
+void noteAlwaysComesFirst(support::DiagnosticBuilder& warning, const Mission& m) {
+  const auto leaves = [](const Case& c) { return c.transition != Transition::Stay; };
+  if (const auto found = std::ranges::find_if(m.always, leaves); found != m.always.end()) {
+    warning.note(found->range,
+                 "on the tick on which this case fires, the cases of the state are not tried: if "
+                 "they keep the promise, it does not hold on that tick; leave it out with `&&` and "
+                 "the opposite of this condition");
+  }
 }
 
 }  // namespace
@@ -86,7 +112,8 @@ bool alwaysActsOn(const Mission& m, const Requirement& requirement) {
 void notePutOff(support::DiagnosticBuilder& warning, const Requirement& requirement,
                 const ProofContext& proof_context) {
   const Mission& m = proof_context.mission;
-  const auto all = alwaysActsOn(m, requirement) ? configurations(m) : std::nullopt;
+  const std::vector<const Case*> acting = actingOn(m, requirement);
+  const auto all = acting.empty() ? std::nullopt : configurations(m);
   if (!all) {
     return;
   }
@@ -94,6 +121,9 @@ void notePutOff(support::DiagnosticBuilder& warning, const Requirement& requirem
   for (const Reached& reached : *all) {
     if (puts_off.at(reached.control)) {
       const Case& first = *puts_off.by(reached.control.state);
+      if (std::ranges::all_of(acting, [&](const Case* c) { return leadToTheSame(first, *c); })) {
+        continue;
+      }
       warning.note(first.range,
                    fmt::format("on the first tick after a return to `{}` its own cases come before "
                                "those of `always`: if this one fires then, a reading on which "
@@ -187,13 +217,15 @@ void noteCalendar(support::DiagnosticBuilder& warning, const Requirement& requir
                });
   forEachStatement(m, requirement.monitor.step,
                    [&](const Statement& s) { reads = reads || readsIt(s.value); });
-  if (reads) {
+  if (reads && lasts(requirement)) {
     warning.note(
         requirement.range,
         "a proof lets the vehicle's clock of the calendar show any time on any tick, so it "
         "does not know that a time of day comes: require what holds on one tick, as in "
-        "`require never day && timeofday < 11 h && statetime > 0 s`, or let the cases wait "
+        "`require never STATE && timeofday < 11 h && statetime > 0 s`, or let the cases wait "
         "by `missiontime` or `statetime` too");
+  } else if (reads) {
+    noteAlwaysComesFirst(warning, m);
   }
 }
 

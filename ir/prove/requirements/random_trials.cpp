@@ -16,6 +16,8 @@ namespace {
 constexpr double kLongFlight = 4 * 3600;
 /// Of the times that a mission names, those beyond this are dates, s.
 constexpr double kLongestNamed = 366 * 86400.0;
+/// So many times more flights are begun where some are given up soon.
+constexpr uint64_t kGivenUp = 30;
 /// Flights without a simpler counterexample after which the simplest is taken.
 constexpr uint64_t kSimplerTries = 200;
 
@@ -73,12 +75,17 @@ std::optional<Counterexample> fly(const Trials& trials, const Requirement& requi
   if (context.flown.empty() || context.flown.back().span_s != trials.span) {
     context.flown.push_back({trials.span});
   }
-  for (uint64_t seed = before + 1; seed <= before + trials.flights && !budget.isUsedUp(); ++seed) {
-    budget.spend(trials.length.ticks * trials.tick_steps);
-    ++context.flown.back().count;
-    if (auto run = flyAtRandom(proof_context, context.proof.facts.stack_depth, requirement, place,
-                               seed, trials.length)) {
-      return run;
+  const uint64_t last = before + trials.flights * (trials.length.sparse ? kGivenUp : 1);
+  size_t left = trials.flights * trials.length.ticks;
+  for (uint64_t seed = before + 1; seed <= last && left > 0 && !budget.isUsedUp(); ++seed) {
+    Flight flight = flyAtRandom(proof_context, context.proof.facts.stack_depth, requirement, place,
+                                seed, trials.length);
+    const size_t taken = trials.length.sparse ? flight.ticks + 1 : trials.length.ticks;
+    budget.spend(taken * trials.tick_steps);
+    left -= std::min(left, taken);
+    context.flown.back().count += flight.given_up ? 0 : 1;
+    if (flight.violation) {
+      return std::move(flight.violation);
     }
   }
   return std::nullopt;
@@ -140,7 +147,8 @@ Counterexample simplest(Counterexample found, const Requirement& requirement,
     budget.spend(ticks * trials.tick_steps);
     left -= ticks;
     auto run = flyAtRandom(proof_context, context.proof.facts.stack_depth, requirement, place, seed,
-                           {ticks});
+                           {ticks})
+                   .violation;
     if (run && isSimpler(*run, found)) {
       found = *std::move(run);
       last = seed + kSimplerTries;

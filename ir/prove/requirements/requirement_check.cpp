@@ -160,6 +160,8 @@ void RequirementCheck::searchLonger(Judged& judged) {
   attempt.reason = judged.verdict.reason;
   if (judgeBy(strategy::otherLemmas(), attempt, judged) ||
       judgeBy(strategy::allTraces(), attempt, judged) ||
+      (attempt.with_power_cuts && judgeBy(strategy::withoutPowerCuts(), attempt, judged)) ||
+      judgeBy(strategy::traceWithPowerCuts(), attempt, judged) ||
       judgeBy(strategy::counted(), attempt, judged)) {
     judged.verdict.searched = true;
     learn(judged);

@@ -81,7 +81,21 @@ bool wasCutShort(const Trace& trace) {
          !endOf(trace);
 }
 
+/// Vehicle time at which the mission took control; none: never.
+std::optional<double> controlOf(const Trace& trace) {
+  const int active = trace.column("hook_active");
+  for (size_t row = 0; active >= 0 && row < trace.rowCount(); ++row) {
+    if (trace.at(row, active) == 1) {
+      return trace.at(row, 0);
+    }
+  }
+  return std::nullopt;
+}
+
 std::string neverVisited(const Trace& trace) {
+  if (!controlOf(trace)) {
+    return "; it was never in control of the vehicle";
+  }
   const FlightFigures figures = flightFigures(trace);
   std::vector<std::string> names;
   for (size_t id = 0; id < trace.state_names.size(); ++id) {
@@ -112,17 +126,6 @@ std::string notDecided(const Trace& trace) {
     }
   }
   return list.empty() ? "" : fmt::format("not decided, {}: {}", why, list);
-}
-
-/// Vehicle time at which the mission took control; none: never.
-std::optional<double> controlOf(const Trace& trace) {
-  const int active = trace.column("hook_active");
-  for (size_t row = 0; active >= 0 && row < trace.rowCount(); ++row) {
-    if (trace.at(row, active) == 1) {
-      return trace.at(row, 0);
-    }
-  }
-  return std::nullopt;
 }
 
 /// When `count` transitions within `within_s` seconds begin; none: never.

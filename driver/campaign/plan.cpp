@@ -16,6 +16,7 @@
 #include "ir/prove/context/duration_text.h"
 #include "ir/text/print.h"
 #include "support/diagnostics/ids/flights.h"
+#include "support/units/duration_text.h"
 #include "vehicles/vehicle.h"
 
 #include <CLI/CLI.hpp>
@@ -199,7 +200,8 @@ support::Result<void> requireEnds(const campaign::CampaignPlan& plan, const std:
         support::diagnostics::scenarioTooShort, mission.file, durationOf(plan.scenario.duration_s),
         scenario, longest ? fmt::format(": it may last {}", durationOf(*longest)) : "",
         longest
-            ? fmt::format("fly longer with `--duration {:.0f}min`", durationFor(*longest) / 60)
+            ? fmt::format("fly longer with `--duration {}`",
+                          support::durationArgument(durationFor(*longest)))
             : "fly longer than the mission lasts, with `--duration`; if it never ends, add a case "
               "with `exit`");
   }

@@ -7,6 +7,7 @@
 
 #include <cmath>
 #include <cstdint>
+#include <utility>
 
 namespace glider::support {
 
@@ -29,6 +30,17 @@ std::string durationText(double seconds) {
   add(whole % kHour / kSixty, "min");
   add(whole % kSixty, "s");
   return text;
+}
+
+std::string durationArgument(double seconds) {
+  constexpr std::pair<int64_t, const char*> kUnits[] = {{86400, "days"}, {3600, "h"}, {60, "min"}};
+  const int64_t whole = std::llround(seconds);
+  for (const auto& [length, unit] : kUnits) {
+    if (whole != 0 && whole % length == 0) {
+      return fmt::format("{}{}", whole / length, whole == length && length == 86400 ? "day" : unit);
+    }
+  }
+  return fmt::format("{}s", whole);
 }
 
 }  // namespace glider::support

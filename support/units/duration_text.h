@@ -11,4 +11,7 @@ namespace glider::support {
 /// five digits below. What is not finite or longer than any clock counts stays in seconds.
 std::string durationText(double seconds);
 
+/// The same as an option of the command line: "2days", "20h", "1240min", "90s", to a second.
+std::string durationArgument(double seconds);
+
 }  // namespace glider::support

@@ -11,7 +11,9 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <gmock/gmock.h>
+#include <regex>
 #include <string>
 #include <vector>
 
@@ -39,7 +41,7 @@ begin
     case held(temp < 12 degC, 20 s) do
       set seen = true
       set times = clamp(times + 1, 0, 9)
-      set sum = sum + sqrt(depth / 1 m) * 2
+      set sum = sum + sqrt(depth / 1 m) / 3
       log "cold", temp, sum
     end call back
     case mean(temp, 2 min) - temp > 1 degC && depth > 30 m call back
@@ -56,6 +58,27 @@ begin
 end
 )";
 
+/// Without the numbers of values, which depend on all that comes before.
+std::string withoutNumbers(const std::string& words) {
+  static const std::regex kNumber("%[0-9]+");
+  return std::regex_replace(words, kNumber, "%");
+}
+
+/// What a fault changes there cannot happen, or is overwritten: a clamp takes either bound where
+/// both are equal, time after the start of a window is exactly 0, `unless` of a known truth.
+bool changesNothing(const std::string& words) {
+  constexpr const char* kHarmless[] = {
+      "act.out: a comparison that differs where both are equal instead of  % = fcmp ogt double %, "
+      "9.000000e+00",
+      "act.out: a comparison that differs where both are equal instead of  % = fcmp olt double %, "
+      "0.000000e+00",
+      "% = fcmp ole double %, 6.000000e+00", "enter.back: "};
+  return std::ranges::any_of(kHarmless,
+                             [&](const char* one) { return withoutNumbers(words).contains(one); });
+}
+
+/// A share of them, by GLIDER_FAULTS_STEP and from GLIDER_FAULTS_FIRST on: all take minutes
+/// (scripts/soak/validate).
 TEST(EveryFault, OfASmallMissionIsFound) {
   const auto compilation = compiler::compileText("every_fault.mission", kMission);
   ASSERT_TRUE(compilation && compilation->checked);
@@ -63,17 +86,18 @@ TEST(EveryFault, OfASmallMissionIsFound) {
   ASSERT_EQ(whatIsNotSame(validate(mission.input(), "host", 2)), "");
   size_t count = 1;
   std::vector<std::string> missed;
-  for (size_t number = 0; number < count; ++number) {
+  const uint64_t step = setting("GLIDER_FAULTS_STEP", 9);
+  for (size_t number = setting("GLIDER_FAULTS_FIRST", 0); number < count; number += step) {
     std::string words;
     const auto found = validate(mission.input(), "host", 2, {}, [&](llvm::Module& module) {
       count = faultsIn(module);
-      words = plantFault(module, number);
+      words = plantFault(module, number % count);
     });
-    if (whatIsNotSame(found).empty()) {
+    if (whatIsNotSame(found).empty() && !changesNothing(words)) {
       missed.push_back(words);
     }
   }
-  std::printf("%zu faults\n", count);
+  EXPECT_GT(count, 300U);
   EXPECT_THAT(missed, testing::ElementsAre());
 }
 

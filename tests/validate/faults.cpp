@@ -78,6 +78,24 @@ void addPlace(llvm::GetElementPtrInst& gep, std::vector<Site>& sites) {
   }
 }
 
+/// A multiplication for a division by a constant: wrong in the last bit, unless that is a power
+/// of 2.
+void addReciprocal(llvm::BinaryOperator& division, std::vector<Site>& sites) {
+  const auto* by = llvm::dyn_cast<llvm::ConstantFP>(division.getOperand(1));
+  if (by == nullptr) {
+    return;
+  }
+  const double reciprocal = 1 / by->getValueAPF().convertToDouble();
+  sites.push_back({&division, "a product with the reciprocal", [&division, reciprocal] {
+                     auto* made = llvm::BinaryOperator::Create(
+                         Instruction::FMul, division.getOperand(0),
+                         llvm::ConstantFP::get(division.getType(), reciprocal));
+                     made->insertBefore(&division);
+                     division.replaceAllUsesWith(made);
+                     division.eraseFromParent();
+                   }});
+}
+
 void addOperation(llvm::BinaryOperator& operation, std::vector<Site>& sites) {
   const auto become = [&](Instruction::BinaryOps other) {
     sites.push_back({&operation, "another operation", [&operation, other] {
@@ -100,6 +118,7 @@ void addOperation(llvm::BinaryOperator& operation, std::vector<Site>& sites) {
     case Instruction::FMul:
       return become(Instruction::FDiv);
     case Instruction::FDiv:
+      addReciprocal(operation, sites);
       return become(Instruction::FMul);
     default:
       return;

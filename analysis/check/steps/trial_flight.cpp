@@ -5,6 +5,7 @@
 
 #include "analysis/check/run.h"
 #include "flights/scenario_choice.h"
+#include "support/units/duration_text.h"
 
 #include <fmt/format.h>
 
@@ -25,7 +26,7 @@ support::Result<void> trialFlight(Run& run) {
     command += " --mi " + options.own_mission;
   }
   if (options.duration_s) {
-    command += fmt::format(" --duration {:.0f}s", *options.duration_s);
+    command += " --duration " + support::durationArgument(*options.duration_s);
   }
   return reportTrialFlight(run.optimised(), *run.scenario, options.user_code,
                            fmt::format("see the flight with `{}`", command), run.diagnostics());

@@ -219,6 +219,12 @@ TEST(Warnings, AMissionThatHadNotEndedIsUnusual) {
   trace.events = {makeEvent(100, EventId::TimeIsOver, {100.0})};
   EXPECT_EQ(unusual(trace), Lines{"the mission had not ended when the simulated time was up; never "
                                   "visited (the time was too short, or no case led there): s2"});
+  auto without = flight(0);
+  without.events.push_back(makeEvent(100, EventId::TimeIsOver, {100.0}));
+  without.events.erase(without.events.begin());
+  EXPECT_EQ(flightNotes(without),
+            Lines{"the mission had not ended when the simulated time was up (`--duration` flies "
+                  "longer); it was never in control of the vehicle"});
 }
 
 /// 20 transitions within 5 min; transitions that are further apart are a busy mission.

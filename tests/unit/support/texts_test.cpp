@@ -71,5 +71,14 @@ TEST(DurationText, IsAsPeopleSayIt) {
   EXPECT_EQ(durationText(INFINITY), "inf s");
 }
 
+TEST(DurationText, IsAnArgumentInTheLongestUnitThatHasItWhole) {
+  EXPECT_EQ(durationArgument(172800), "2days");
+  EXPECT_EQ(durationArgument(86400), "1day");
+  EXPECT_EQ(durationArgument(72000), "20h");
+  EXPECT_EQ(durationArgument(74400), "1240min");
+  EXPECT_EQ(durationArgument(90), "90s");
+  EXPECT_EQ(durationArgument(0), "0s");
+}
+
 }  // namespace
 }  // namespace glider::support

@@ -42,12 +42,11 @@ std::string reasonOf(const ProofContext& proof_context, const Geofence& fence,
   }
   return fmt::format(
       "its legs come within {} of the edge of the area {}; in at most {} of flight, the vehicle "
-      "may "
-      "deviate from them by {}: by surface drift of {:g} m/s{}",
+      "may deviate from them by {}: by surface drift of {:g} m/s{}",
       support::lengthText(found.distance_m), bound, durationOf(time), support::lengthText(margin),
       proof_context.platform.world.surface_drift_m_s,
-      steering.by_heading ? ", and by flying without a waypoint"
-      : dark > 0          ? ", and while the SBC has no power (`resume within`)"
+      steering.by_heading ? fmt::format(", and by flying without a waypoint ({})", steering.where)
+      : dark > 0          ? std::string(", and while the SBC has no power (`resume within`)")
                           : "");
 }
 

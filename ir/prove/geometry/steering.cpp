@@ -139,14 +139,22 @@ void addCommands(const ProofContext& proof_context, const std::vector<const Stat
 Steering steeringOf(const ProofContext& proof_context) {
   const Mission& m = proof_context.mission;
   Steering steering;
-  steering.by_heading = !FirstHeading(proof_context).commanded();
+  const auto noteWhere = [&](const std::string& where) {
+    if (steering.by_heading && steering.where.empty()) {
+      steering.where = where;
+    }
+  };
   addCommands(proof_context, commandsOfAlways(m), steering);
+  noteWhere("in `always`");
   for (const State& state : m.states) {
     const bool in_c =
         !m[state.profile.behaviour].symbol.empty() || !m[state.route.behaviour].symbol.empty();
     steering.by_heading = steering.by_heading || in_c;
     addCommands(proof_context, commandsOf(m, state), steering);
+    noteWhere("in `" + state.name + "`");
   }
+  steering.by_heading = steering.by_heading || !FirstHeading(proof_context).commanded();
+  noteWhere("at the start");
   return steering;
 }
 

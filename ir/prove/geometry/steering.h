@@ -5,6 +5,7 @@
 
 #include "ir/prove/context/proof_context.h"
 
+#include <string>
 #include <vector>
 
 namespace glider::ir::prove {
@@ -13,6 +14,7 @@ namespace glider::ir::prove {
 struct Steering {
   std::vector<Position> waypoints;  ///< their hull contains every one that it may command
   bool by_heading = false;  ///< it may also steer by a heading, by none, or to any place at all
+  std::string where;        ///< it does, first: "at the start", "in `survey`"
 };
 
 /// From all commands of the mission, in any state: a command stays in force until the next, through

@@ -151,6 +151,31 @@ void notePowerCuts(support::DiagnosticBuilder& error, const Requirement& require
   }
 }
 
+/// Where a vehicle gets by the drift alone: of a promise about places.
+void noteDrift(support::DiagnosticBuilder& error, const Requirement& requirement,
+               const Counterexample& run, const ProofContext& proof_context) {
+  constexpr double kWorthSaying_s = 600;
+  const platforms::EnvironmentModel& world = proof_context.platform.world;
+  size_t first = run.ticks.size();
+  bool read = false;
+  while (first > 0 && run.ticks[first - 1].depth <= world.surface_depth_m) {
+    --first;
+    read = read || std::ranges::any_of(run.ticks[first].frame, [&](const SensorUpdate& update) {
+             return proof_context.depth && update.sensor == *proof_context.depth &&
+                    update.raw == update.raw;
+           });
+  }
+  if (first == run.ticks.size() || run.when - run.ticks[first].mission_time < kWorthSaying_s) {
+    return;
+  }
+  error.note(requirement.range,
+             fmt::format("from {:.6g} s on the vehicle is at the surface{}, and drifts there at up "
+                         "to {:.3g} m/s",
+                         run.ticks[first].mission_time,
+                         proof_context.depth && !read ? ", without a reading of the depth" : "",
+                         world.surface_drift_m_s));
+}
+
 std::string endedLate(const Counterexample& run) {
   return fmt::format("the mission may {} {:.6g} s, in state `{}`",
                      run.ticks.back().finished ? "end only at" : "still be flying at", run.when,
@@ -196,6 +221,9 @@ void reportViolation(const Requirement& requirement, const Counterexample& run,
   noteHeldBack(error, run, proof_context.mission);
   noteParameters(error, requirement, run, proof_context.mission);
   notePowerCuts(error, requirement, run, proof_context);
+  if (!requirement.geofences.empty()) {
+    noteDrift(error, requirement, run, proof_context);
+  }
   noteWhatTheSeaDecides(error, requirement, proof_context);
   noteAwaitedReading(error, requirement, run, proof_context);
   if (requirement.kind == RequirementKind::SurfacesEvery ||

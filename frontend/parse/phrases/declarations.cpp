@@ -60,6 +60,74 @@ size_t withoutType(Phrase& phrase) {
   return sign + 1;
 }
 
+/// The words of `my long name` from token 1 up to token `end`, as one name.
+std::string oneName(const Phrase& phrase, size_t end) {
+  std::string name(phrase.text(1));
+  for (size_t k = 2; k < end; ++k) {
+    name += fmt::format("_{}", phrase.text(k));
+  }
+  return name;
+}
+
+/// `var my course = 60 deg`: the name of a variable is one word.
+size_t nameOfSeveralWords(Phrase& phrase, size_t end, size_t sign) {
+  const std::string_view type = typeOf(phrase, sign + 1);
+  const Lexeme name = phrase.whole(1, end - 1, GliderLexer::NAME);
+  phrase.reporter().at(name, support::diagnostics::nameNotOneWord, phrase.source().text(name),
+                       fmt::format("write `{} {}: {} = …`", phrase.text(), oneName(phrase, end),
+                                   type.empty() ? std::string_view("TYPE") : type));
+  phrase.put(phrase.token());
+  phrase.put(phrase.token(1));
+  phrase.put({GliderLexer::COLON, name.end, name.end});
+  phrase.put(phrase.token(1));  // in place of the type
+  const Lexeme& assign = phrase.token(sign);
+  phrase.put({GliderLexer::ASSIGN, assign.begin, assign.end});
+  phrase.notAsMeant();
+  return sign + 1;
+}
+
+/// `var course angle = 60 deg`: otherwise `angle =` is read as a second declaration.
+size_t withoutColon(Phrase& phrase) {
+  constexpr size_t kMostWords = 6;
+  const bool declares =
+      oneOf(phrase.type(), {GliderLexer::VAR, GliderLexer::PARAM}) && isAnyName(phrase.type(1));
+  const size_t first = 2 + (declares ? tokensOfSize(phrase, 2) : 0);
+  size_t end = first;
+  while (declares && end < kMostWords && isAnyName(phrase.type(end)) && !phrase.startsLine(end) &&
+         (end == first || phrase.type(end) != GliderLexer::IN)) {
+    ++end;
+  }
+  const bool both = phrase.type(end) == GliderLexer::COLON &&
+                    phrase.type(end + 1) == GliderLexer::ASSIGN && phrase.touches(end + 1);
+  const bool assigns = both || phrase.type(end) == GliderLexer::ASSIGN;
+  const bool alone = phrase.startsLine(end) && isTypeName(phrase.text(first));
+  if (end == first || !(assigns || alone || phrase.type(end) == GliderLexer::IN)) {
+    return 0;
+  }
+  const size_t sign = both ? end + 1 : end;
+  const std::string_view type = phrase.text(first);
+  const std::string_view near = isTypeName(type) ? type : nearTypeName(type);
+  if (end > first + 1 || near.empty()) {
+    return assigns && first == 2 ? nameOfSeveralWords(phrase, end, sign) : 0;
+  }
+  const Lexeme found = phrase.token(first);
+  const Lexeme before = phrase.token(first - 1);
+  auto report = phrase.reporter().at(found, support::diagnostics::unexpectedToken, "`:`",
+                                     describe(phrase.source(), found));
+  report.hint(fmt::format("write `{}: {} …`", phrase.wholeText(0, first), near));
+  for (size_t k = 0; k < first; ++k) {
+    phrase.put(phrase.token(k));
+  }
+  phrase.put({GliderLexer::COLON, before.end, before.end});
+  phrase.put(found);
+  if (near == type) {
+    report.fix({phrase.source().file, before.end, before.end}, ":");
+  } else {
+    phrase.notAsMeant();
+  }
+  return first + 1;
+}
+
 /// `var recent: temperature[8] = …`
 size_t sizeAfterType(Phrase& phrase) {
   const bool typed = oneOf(phrase.type(), {GliderLexer::VAR, GliderLexer::PARAM}) &&
@@ -179,7 +247,8 @@ size_t typeFirst(Phrase& phrase) {
 }  // namespace
 
 size_t untyped(Phrase& phrase) {
-  return firstOf(phrase, {withoutType, sizeAfterType, wordOfOtherLanguage, typeFirst});
+  return firstOf(phrase,
+                 {withoutType, withoutColon, sizeAfterType, wordOfOtherLanguage, typeFirst});
 }
 
 size_t range(Phrase& phrase) {

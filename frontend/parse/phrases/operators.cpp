@@ -409,6 +409,10 @@ size_t foreignSign(Phrase& phrase) {
   }
   const size_t tokens = meant == GliderLexer::ASSIGN && phrase.type() == GliderLexer::TO ? 1 : 2;
   const Lexeme sign = phrase.whole(0, tokens, meant);
+  if (phrase.type() == GliderLexer::COLON) {
+    phrase.put(sign);
+    return tokens;  // StructureRepair reports it with the keyword that may be missing before it
+  }
   phrase.reporter()
       .at(sign, id, phrase.source().text(sign), better)
       .fix(phrase.source().range(sign), std::string(better));

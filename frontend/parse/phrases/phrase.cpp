@@ -94,6 +94,24 @@ bool Phrase::isDeclared(std::string_view name) {
   return declared_->contains(name);
 }
 
+bool Phrase::isArea(std::string_view name) const {
+  constexpr size_t kAfter = 4;  // `shoal: path = [`
+  for (size_t i = 1; i + kAfter < in_.size(); ++i) {
+    if (source().text(in_[i]) != name) {
+      continue;
+    }
+    const bool typed = in_[i + 1].type == GliderLexer::COLON && source().text(in_[i + 2]) == "path";
+    const bool list = in_[i + 1].type == GliderLexer::ASSIGN &&
+                      in_[i + 2].type == GliderLexer::LBRACKET &&
+                      in_[i + 3].type != GliderLexer::RBRACKET;
+    if (in_[i - 1].type == GliderLexer::AS ||
+        (in_[i - 1].type == GliderLexer::CONST && (typed || list))) {
+      return true;
+    }
+  }
+  return false;
+}
+
 const Lexeme* Phrase::lexemeBefore(size_t k) const {
   return k < out_.size() ? &out_[out_.size() - 1 - k] : nullptr;
 }

@@ -66,6 +66,9 @@ class Phrase {
   /// Whether a name is declared in the file, or has a type or a value in it.
   [[nodiscard]] bool isDeclared(std::string_view name);
 
+  /// Whether a name is declared as a path, which encloses an area.
+  [[nodiscard]] bool isArea(std::string_view name) const;
+
   // What was read, as repaired; 0 counts the last token.
   [[nodiscard]] uint32_t before(size_t k = 0) const {
     return k < out_.size() ? out_[out_.size() - 1 - k].type : 0;

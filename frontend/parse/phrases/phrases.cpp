@@ -72,7 +72,7 @@ constexpr Row kRows[] = {
      [](uint32_t type) {
        return isName(type) ||
               oneOf(type, {GliderLexer::GOTO, GliderLexer::CALL, GliderLexer::NUMBER,
-                           GliderLexer::COMMA, GliderLexer::STAY});
+                           GliderLexer::COMMA, GliderLexer::STAY, GliderLexer::EXIT});
      }},
     {phrases::stateWordInPromise, among<GliderLexer::STATE>},
     {phrases::placesWithoutComma,
@@ -145,6 +145,7 @@ constexpr Row kRows[] = {
     {phrases::leg, plainName},
     {phrases::part, isAnyName},
     {phrases::magneticHeading, among<GliderLexer::UNIT, GliderLexer::NAME>},
+    {phrases::perUnit, plainName},
     {phrases::millilitresPerLitre, plainName},
     {phrases::softUnit, plainName},
     {phrases::rangeWordAsUnit, among<GliderLexer::IN>},

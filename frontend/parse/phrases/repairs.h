@@ -167,6 +167,8 @@ size_t leg(Phrase& phrase);
 size_t part(Phrase& phrase);
 /// `90 deg magnetic`.
 size_t magneticHeading(Phrase& phrase);
+/// `20 cm per s`.
+size_t perUnit(Phrase& phrase);
 /// `2 ml/l` of oxygen: the millilitre is a unit of the language.
 size_t millilitresPerLitre(Phrase& phrase);
 /// `3 days`, `2 ug/L`: units that are names elsewhere.

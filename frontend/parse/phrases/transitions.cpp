@@ -150,10 +150,28 @@ size_t target(Phrase& phrase) {
 
 namespace {
 
+/// Whether the transition before is in the `then` of an `if`, whose `else` this is:
+/// StructureRepair reports the transition.
+bool isElseOfIf(const Phrase& phrase) {
+  constexpr size_t kFarthest = 100;
+  for (size_t k = 0; k < kFarthest && phrase.before(k) != 0; ++k) {
+    if (oneOf(phrase.before(k), {GliderLexer::CASE, GliderLexer::END, GliderLexer::EVENTS})) {
+      return false;
+    }
+    if (phrase.before(k) == GliderLexer::IF) {
+      return true;
+    }
+  }
+  return false;
+}
+
 /// `call report else goto hold`, `stay 10 min`.
 size_t moreAfterTransition(Phrase& phrase) {
   const size_t line = phrase.tokensOfLine();
   if (phrase.type() == GliderLexer::ELSE && line > 1) {
+    if (isElseOfIf(phrase)) {
+      return 0;
+    }
     phrase.reporter()
         .at(phrase.token(), support::diagnostics::unexpectedToken, "`case` or `end`",
             describe(phrase.source(), phrase.token()))

@@ -4,6 +4,7 @@
 #include "frontend/parse/phrases/written_type.h"
 
 #include "frontend/parse/token_kinds.h"
+#include "frontend/spelling.h"
 #include "support/units/units.h"
 
 #include <algorithm>
@@ -63,15 +64,24 @@ std::string_view typeOf(const Phrase& phrase, size_t k) {
   return typeOfUnit(unit);
 }
 
-bool isTypeName(std::string_view word) {
-  constexpr std::array kTypes = {
-      std::string_view("bool"),
-      std::string_view("position"),
+namespace {
+
+constexpr std::array kTypes = {
+    std::string_view("bool"),
+    std::string_view("position"),
 #define DIMENSION(name, m, kg, s, a, k, rad, unit) std::string_view(#name),
 #include "support/units/dimensions.def"
 #undef DIMENSION
-  };
+};
+
+}  // namespace
+
+bool isTypeName(std::string_view word) {
   return std::ranges::find(kTypes, word) != kTypes.end();
+}
+
+std::string_view nearTypeName(std::string_view word) {
+  return closest(word, {kTypes.begin(), kTypes.end()});
 }
 
 }  // namespace glider::frontend

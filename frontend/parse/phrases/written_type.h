@@ -20,4 +20,7 @@ std::string_view typeOf(const Phrase& phrase, size_t k);
 /// Whether `word` is a type of variables.
 bool isTypeName(std::string_view word);
 
+/// The type that `word` may be a misspelling of; empty: there is none.
+std::string_view nearTypeName(std::string_view word);
+
 }  // namespace glider::frontend

@@ -6,6 +6,8 @@
 #include "frontend/parse/repair/structure.h"
 #include "support/diagnostics/ids/syntax.h"
 
+#include <fmt/format.h>
+
 #include <utility>
 
 namespace glider::frontend {
@@ -21,6 +23,9 @@ void StructureRepair::structural(const Lexeme& t) {
     return;
   }
   skipping_in_block_ = false;
+  if (std::exchange(transition_left_out_, false) && !isTransition(t.type)) {
+    insert(GliderLexer::STAY);
+  }
   const bool promise = previous() == GliderLexer::REQUIRE;
   if (promise || (blocks_.empty() ? topLevel(t) : inBlock(t))) {
     out_.push_back(t);
@@ -102,6 +107,10 @@ bool StructureRepair::inBlock(const Lexeme& t) {
     closeUntil(0, t);
     return topLevel(t);
   }
+  if (isTransition(t.type) && leavesFromInside()) {
+    reportLeaving(t);
+    return false;
+  }
   if (startsMember(t.type) || isTransition(t.type) || t.type == GliderLexer::CASE) {
     closeActions(t);
     if (blocks_.empty()) {
@@ -133,6 +142,7 @@ bool StructureRepair::insideMembers(const Lexeme& t) {
   switch (t.type) {
     case GliderLexer::END:
       noteEnd();
+      transition_left_out_ = blocks_.back().leaves && !isEntry(blocks_.back());
       blocks_.pop_back();
       return true;
     case GliderLexer::DO:
@@ -144,6 +154,9 @@ bool StructureRepair::insideMembers(const Lexeme& t) {
     case GliderLexer::BEGIN:
       secondBegin(t);
       return false;
+    case GliderLexer::ELSE:
+      blocks_.back().otherwise = true;
+      return true;
     case GliderLexer::EVENTS:
       blocks_.back().events = true;
       return true;
@@ -188,11 +201,33 @@ bool StructureRepair::stillInside(const Lexeme& t) const {
 
 void StructureRepair::wantEvents(const Lexeme& t) {
   if (!blocks_.back().events) {
-    reporter_.at(t, support::diagnostics::caseOutsideEvents)
-        .fix({source_.file, t.begin, t.begin}, "events ");
+    auto report = reporter_.at(t, support::diagnostics::caseOutsideEvents);
+    if (const auto begin = beginOfLine(t)) {
+      report.fix({source_.file, *begin, *begin}, fmt::format("{}events\n", indentOfMembers(t)));
+    } else {
+      report.fix({source_.file, t.begin, t.begin}, "events ");
+    }
     insert(GliderLexer::EVENTS);
     blocks_.back().events = true;
   }
+}
+
+std::string_view StructureRepair::indentOfMembers(const Lexeme& t) const {
+  const Lexeme* neighbour = &t;
+  for (size_t n = out_.size(); n > 0 && out_[n - 1].type != GliderLexer::BEGIN; --n) {
+    if (startsMember(out_[n - 1].type) && beginOfLine(out_[n - 1])) {
+      neighbour = &out_[n - 1];
+      break;
+    }
+  }
+  return source_.text({0, *beginOfLine(*neighbour), neighbour->begin});
+}
+
+std::optional<uint32_t> StructureRepair::beginOfLine(const Lexeme& t) const {
+  const std::string_view before = source_.text().substr(0, t.begin);
+  const size_t last = before.find_last_not_of(" \t");
+  const bool first = last == std::string_view::npos || before[last] == '\n';
+  return first ? std::optional(static_cast<uint32_t>(last + 1)) : std::nullopt;  // npos + 1 is 0
 }
 
 size_t StructureRepair::membersOpen() const {
@@ -206,6 +241,13 @@ size_t StructureRepair::membersOpen() const {
 void StructureRepair::supplyEnd(support::DiagnosticBuilder& report, const Block& block,
                                 const Lexeme& found) {
   const uint32_t place = found.begin;
+  if (block.kind == BlockKind::Members && block.begun && blocks_.size() == 1 &&
+      found.type == kEof && endsWithTransition() &&
+      beginOfLine(block.opener) == block.opener.begin) {
+    if (const auto line = lineAfter(out_.back())) {
+      report.fix({source_.file, *line, *line}, "end\n");
+    }
+  }
   if (block.kind == BlockKind::Members && block.begun && blocks_.size() == 1 &&
       startsItem(found.type) && endsWithTransition()) {
     const bool first = place == 0 || source_.text()[place - 1] == '\n';
@@ -224,6 +266,19 @@ void StructureRepair::supplyEnd(support::DiagnosticBuilder& report, const Block&
       left_out_ = extra;
     }
   }
+}
+
+std::optional<uint32_t> StructureRepair::lineAfter(const Lexeme& t) const {
+  const std::string_view text = source_.text();
+  const size_t line = text.find('\n', t.end);
+  if (line == std::string_view::npos) {
+    return std::nullopt;  // the file may be cut off there
+  }
+  const std::string_view rest = text.substr(t.end, line - t.end);
+  const size_t word = rest.find_first_not_of(" \t\r");
+  const bool comment = word != std::string_view::npos && rest[word] == '#';
+  return word == std::string_view::npos || comment ? std::optional(static_cast<uint32_t>(line + 1))
+                                                   : std::nullopt;
 }
 
 bool StructureRepair::endsWithTransition() const {

@@ -59,7 +59,7 @@ bool meantAsName(uint32_t before, uint32_t t, uint32_t next) {
 
 Repaired StructureRepair::run() {
   for (at_ = 0; at_ < in_.size() && ok_; ++at_) {
-    if (at_ != left_out_ || at_ == 0) {
+    if (at_ >= read_from_ && (at_ != left_out_ || at_ == 0)) {
       step(in_[at_]);
     }
     ok_ = ok_ && !reporter_.full();
@@ -107,10 +107,15 @@ void StructureRepair::step(Lexeme t) {
     values_.keyword(t);
     out_.push_back(t);
   } else if (!skipping) {
+    const size_t reported = reporter_.count();
     if (t.type == GliderLexer::ASSIGN) {
-      supplyKeyword();
+      supplyKeyword(t);
     }
     ok_ = values_.take(t, peek(1)) && ok_;
+    if (t.type == GliderLexer::ASSIGN && isColonEqual(t) && reporter_.count() == reported) {
+      reporter_.at(t, support::diagnostics::wordOperator, source_.text(t), "=")
+          .fix(source_.range(t), "=");
+    }
     noteHeader(1);
   }
 }
@@ -246,7 +251,11 @@ bool StructureRepair::comparesNext() const {
   return false;
 }
 
-void StructureRepair::supplyKeyword() {
+bool StructureRepair::isColonEqual(const Lexeme& t) const {
+  return source_.text(t) == ":=";
+}
+
+void StructureRepair::supplyKeyword(const Lexeme& t) {
   const size_t at = out_.empty() ? 0 : assignedName();
   if (out_.empty() || !isName(out_[at].type) || values_.inParentheses()) {
     return;
@@ -261,8 +270,12 @@ void StructureRepair::supplyKeyword() {
   }
   const Lexeme name{out_[at].type, out_[at].begin, out_.back().end};
   const std::string_view keyword = action ? "set" : comparesNext() ? "place" : "const";
-  reporter_.at(name, support::diagnostics::missingKeyword, source_.text(name), keyword)
-      .fix({source_.file, name.begin, name.begin}, std::string(keyword) + " ");
+  auto report =
+      reporter_.at(name, support::diagnostics::missingKeyword, source_.text(name), keyword);
+  report.fix({source_.file, name.begin, name.begin}, std::string(keyword) + " ");
+  if (isColonEqual(t)) {
+    report.fix(source_.range(t), "=");
+  }
   const uint32_t type = keyword == "place" ? uint32_t{GliderLexer::PLACE} : keywordType(keyword);
   const Lexeme supplied{type, name.begin, name.begin};
   values_.keyword(supplied);

@@ -40,12 +40,14 @@ class StructureRepair {
   struct Block {
     BlockKind kind;
     Lexeme opener;
-    std::string what;     ///< "state `s1`"
-    bool events = false;  ///< `events` was seen
-    bool silent = false;  ///< already reported: a missing `end` is not reported again
-    bool then = false;    ///< `then` was seen
-    bool begun = true;    ///< its `begin` was read, not only supplied
-    size_t at = 0;        ///< the number of its opener in `in_`
+    std::string what;        ///< "state `s1`"
+    bool events = false;     ///< `events` was seen
+    bool silent = false;     ///< already reported: a missing `end` is not reported again
+    bool then = false;       ///< `then` was seen
+    bool otherwise = false;  ///< `else` was seen
+    bool leaves = false;     ///< a transition in one of its blocks was reported and left out
+    bool begun = true;       ///< its `begin` was read, not only supplied
+    size_t at = 0;           ///< the number of its opener in `in_`
     std::optional<UnendedBlock> unended = std::nullopt;  ///< in it, by the indentation
     bool doubtful = false;                               ///< an `end` in it may be its own
   };
@@ -78,8 +80,10 @@ class StructureRepair {
   [[nodiscard]] std::string_view meantInBlock(const Lexeme& t) const;
   /// Where the name before this `=` is, which may have an index: `x[2] = 5`.
   [[nodiscard]] size_t assignedName() const;
-  /// `x = 5` without `set` or `const`: the name before this `=` begins a line.
-  void supplyKeyword();
+  /// `x = 5` without `set` or `const`: the name before `t`, this `=`, begins a line.
+  void supplyKeyword(const Lexeme& t);
+  /// `:=`, which is reported only if nothing else is wrong there, as a keyword missing before it.
+  [[nodiscard]] bool isColonEqual(const Lexeme& t) const;
 
   // --- names ---
   /// Reports a keyword, or nothing, where a name is expected. True if `t` was used as that name.
@@ -119,11 +123,40 @@ class StructureRepair {
   /// the block.
   [[nodiscard]] bool stillInside(const Lexeme& t) const;
   void wantEvents(const Lexeme& t);
+  /// Where the line of `t` begins, if `t` is the first on it.
+  [[nodiscard]] std::optional<uint32_t> beginOfLine(const Lexeme& t) const;
+  /// The white space before the member above `t`, which begins its line; if there is none, before
+  /// `t` itself.
+  [[nodiscard]] std::string_view indentOfMembers(const Lexeme& t) const;
+  /// Where the line after `t` begins, if `t` is the last on its line.
+  [[nodiscard]] std::optional<uint32_t> lineAfter(const Lexeme& t) const;
+
+  // --- transitions inside `if` and `for` ---
+  /// Whether the transition at the current token is inside an `if` or `for` of a block: it stands
+  /// deeper, or all blocks are closed after it, and the state goes on there.
+  [[nodiscard]] bool leavesFromInside() const;
+  [[nodiscard]] bool isEntry(const Block& block) const {
+    return block.at > 0 && in_[block.at - 1].type == GliderLexer::ENTRY;
+  }
+  /// Whether `t` and `opener` begin their lines, and `t` stands deeper.
+  [[nodiscard]] bool isDeeper(const Lexeme& t, const Lexeme& opener) const;
+  /// Reports it, and leaves it out.
+  void reportLeaving(const Lexeme& t);
+  /// The tokens of the transition at the current token.
+  [[nodiscard]] size_t tokensOfTransition() const;
+  /// What must be so where the transition is, as the condition of a case: `warm && depth > 5 m`;
+  /// empty: it is inside a loop, or it is too long to be shown.
+  [[nodiscard]] std::string guardHere() const;
+  /// The tokens from number `first` up to the first of type `type`, as text.
+  [[nodiscard]] std::string_view textUpTo(size_t first, uint32_t type) const;
+  /// A variable of that condition that is set in the block before; empty: there is none.
+  [[nodiscard]] std::string_view setBefore() const;
   void closeActions(const Lexeme& found) { closeUntil(membersOpen(), found); }
   /// The number of blocks that are open around all actions.
   [[nodiscard]] size_t membersOpen() const;
   /// Where the missing `end` of `block` goes, if that is certain: before the next state, which
-  /// begins its line, or before the transition that was written inside a `do` block.
+  /// begins its line, after the last line of the file, or before the transition that was written
+  /// inside a `do` block.
   void supplyEnd(support::DiagnosticBuilder& report, const Block& block, const Lexeme& found);
   /// Whether what was read ends with a whole case.
   [[nodiscard]] bool endsWithTransition() const;
@@ -146,8 +179,10 @@ class StructureRepair {
   std::vector<Block> blocks_;
   std::string header_;  ///< "state `s1`" until its `begin`
   Lexeme header_at_;
-  size_t left_out_ = 0;         ///< an `end` that was reported where it was missing
-  size_t begin_at_ = SIZE_MAX;  ///< where in `in_` a `begin` is expected but missing
+  size_t read_from_ = 0;              ///< a transition before it was reported and left out
+  bool transition_left_out_ = false;  ///< one of the case whose block was closed last
+  size_t left_out_ = 0;               ///< an `end` that was reported where it was missing
+  size_t begin_at_ = SIZE_MAX;        ///< where in `in_` a `begin` is expected but missing
   bool in_always_ = false;
   bool skipping_ = false;           ///< what follows is outside every state: up to the next item
   bool undeclared_ = false;         ///< a choice was left out: its uses would be reported

@@ -31,6 +31,7 @@ class Declarations {
     }
     Constant constant;
     constant.name = &node.name;
+    constant.untyped = node.type ? nullptr : &node.value;
     constant.choice = choice;
     scope_.constants.emplace(node.name.text, constant);
   }

@@ -77,6 +77,35 @@ void refuse(DiagnosticId id, const ast::Expr& expr, const std::string& what, std
 
 }  // namespace
 
+void MissingUnit::explain(support::DiagnosticBuilder& report) const {
+  if (constant != nullptr) {
+    report.hint(fmt::format("write `const {}`", declaration))
+        .note(constant->name->where, "it is defined here without a unit");
+  }
+}
+
+MissingUnit ExprLowering::missingUnitOf(const ast::Expr& expr, const DeclaredType& want) {
+  const auto* use = std::get_if<ast::NameUse>(&expr.node);
+  const bool quantity = !want.position && !want.path && want.type.kind == ir::TypeKind::Quantity &&
+                        !want.type.dimension.dimensionless();
+  if (use == nullptr || !quantity || scope_.findNamed(use->name) != nullptr) {
+    return {};
+  }
+  const Constant* constant = scope_.findConstant(use->name);
+  const auto* literal = constant != nullptr && constant->untyped != nullptr
+                            ? std::get_if<ast::Literal>(&constant->untyped->node)
+                            : nullptr;
+  if (literal == nullptr || !literal->unit.empty()) {
+    return {};
+  }
+  const bool first =
+      scope_.unitless.insert(fmt::format("{}: {}", use->name, describe(want))).second;
+  return {.constant = constant,
+          .declaration = fmt::format("{} = {} {}", use->name, literal->digits,
+                                     pilotsUnit(want.type.dimension)),
+          .reported = !first};
+}
+
 std::optional<double> ExprLowering::positiveConstant(const ast::Expr& expr, const ir::Type& type,
                                                      const ConstantRole& role) {
   const auto lowered = lowerAs(expr, type, role.what);

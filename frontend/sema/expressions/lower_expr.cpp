@@ -29,8 +29,12 @@ std::optional<Value> ExprLowering::lowerDeclared(const ast::Expr& expr, const De
   }
   const DeclaredType given{value->type, value->longitude.valid()};
   if (given != want) {
-    scope_.report(support::diagnostics::wrongType, expr.where, what, describe(want),
-                  scope_.text(expr.where), describe(given), howToWrite(want));
+    const MissingUnit constant = missingUnitOf(expr, want);
+    if (!constant.reported) {
+      auto report = scope_.report(support::diagnostics::wrongType, expr.where, what, describe(want),
+                                  scope_.text(expr.where), describe(given), howToWrite(want));
+      constant.explain(report);
+    }
     return std::nullopt;
   }
   return value;

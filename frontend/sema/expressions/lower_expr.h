@@ -54,6 +54,16 @@ struct ElementIndex {
       number;  ///< unless it is known: as written, but unknown where there is no such element
 };
 
+/// A constant that is a number without a unit, where a quantity is needed; or nothing.
+struct MissingUnit {
+  const Constant* constant = nullptr;
+  std::string declaration = {};  ///< what to write: "deepest = 60 m"
+  bool reported = false;         ///< for another use of it
+
+  /// Adds the constant, and what to write there, to the report of its use.
+  void explain(support::DiagnosticBuilder& report) const;
+};
+
 /// A sensor that an expression reads.
 struct SensorRead {
   const platforms::PlatformSensor* sensor;
@@ -172,6 +182,8 @@ class ExprLowering {
                           const support::SourceRange& range);
   std::optional<Pair> alike(const ast::Expr& left, const ast::Expr& right,
                             std::optional<ir::Type> want, std::string_view op);
+  /// The constant whose unit is missing where its plain number should be a `want`.
+  MissingUnit missingUnitOf(const ast::Expr& expr, const DeclaredType& want);
   /// Adds the unit to write, if `value` is a number with a unit of another quantity than `other`.
   static void suggestUnit(const ast::Expr& value, const ir::Type& other, std::string_view op,
                           support::DiagnosticBuilder& report);

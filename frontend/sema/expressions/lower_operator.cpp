@@ -202,6 +202,12 @@ std::optional<ExprLowering::Pair> ExprLowering::alike(const ast::Expr& left, con
   if (one->longitude.valid() != two->longitude.valid() || one->type != two->type) {
     const Value& l = rightFirst ? *two : *one;
     const Value& r = rightFirst ? *one : *two;
+    const bool plain_left = l.type == plainNumber();
+    const MissingUnit constant = plain_left ? missingUnitOf(left, DeclaredType{r.type})
+                                            : missingUnitOf(right, DeclaredType{l.type});
+    if (constant.reported) {
+      return std::nullopt;
+    }
     auto say = [](const Value& v) {
       return v.longitude.valid() ? std::string("a position") : describe(v.type);
     };
@@ -210,6 +216,7 @@ std::optional<ExprLowering::Pair> ExprLowering::alike(const ast::Expr& left, con
                       support::SourceRange{left.where.file, left.where.begin, right.where.end},
                       scope_.text(left.where), say(l), scope_.text(right.where), say(r), op);
     suggestUnit(right, l.type, op, report);
+    constant.explain(report);
     if (l.charge.valid() || r.charge.valid()) {
       report.hint(
           fmt::format("`energyleft` is a share, as in `energyleft {} 30 %`; an amount is "
@@ -224,17 +231,6 @@ std::optional<ExprLowering::Pair> ExprLowering::alike(const ast::Expr& left, con
   return scalesDiffer(pair.left, left.where, pair.right, right.where, op) ? std::nullopt
                                                                           : std::optional(pair);
 }
-
-namespace {
-
-/// The unit in which pilots write such a value.
-std::string pilotsUnit(support::Dimension dimension) {
-  return dimension == support::dimension::angle    ? "deg"
-         : dimension == support::dimension::energy ? "Wh"
-                                                   : std::string(support::unitName(dimension));
-}
-
-}  // namespace
 
 void ExprLowering::suggestUnit(const ast::Expr& value, const ir::Type& other, std::string_view op,
                                support::DiagnosticBuilder& report) {

@@ -31,6 +31,7 @@ struct KnownArea {
 /// An evaluated `const`.
 struct Constant {
   const ast::Name* name = nullptr;
+  const ast::Expr* untyped = nullptr;  ///< its value, if no type is declared
   ir::Type type;
   bool position = false;  ///< `number` is the latitude, `second` the longitude
   double number = 0;      ///< SI units or degrees; 1 and 0 for true and false
@@ -300,6 +301,8 @@ class Scope {
   Names names;  ///< the mission's parameters and variables
   std::set<std::string, std::less<>>
       refused_names;  ///< declared, but refused: uses are not reported again
+  /// The constants without a unit that were reported, each with the type that it is used as.
+  std::set<std::string, std::less<>> unitless;
   std::map<std::string, FunctionDeclaration, std::less<>> functions;
   static constexpr size_t kMostOwnSensors = 64;
   std::map<std::string, OwnSensor, std::less<>> own_sensors;

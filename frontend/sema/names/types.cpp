@@ -78,6 +78,12 @@ std::string howToWrite(const DeclaredType& type) {
                          : fmt::format("write {} such as `{}`", describe(type), example);
 }
 
+std::string pilotsUnit(support::Dimension dimension) {
+  return dimension == support::dimension::angle    ? "deg"
+         : dimension == support::dimension::energy ? "Wh"
+                                                   : std::string(support::unitName(dimension));
+}
+
 std::optional<DeclaredType> findType(std::string_view name) {
   if (name == "bool") {
     return DeclaredType{boolean()};

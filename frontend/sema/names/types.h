@@ -26,6 +26,9 @@ std::string describe(const DeclaredType& type);
 /// How to write a value of the type, as a hint: "write a length (m) such as `5 m`".
 std::string howToWrite(const DeclaredType& type);
 
+/// The unit in which pilots write such a value: "m", "deg".
+std::string pilotsUnit(support::Dimension dimension);
+
 /// The meaning of a type's name in the language: "length", "bool", "latitude", "position", "path",
 /// "temperature/length"; empty: none.
 std::optional<DeclaredType> findType(std::string_view name);

@@ -34,6 +34,12 @@ size_t scopeAtEnd(Phrase& phrase);
 /// `never more than 2 look`, `never look more than 2 times`.
 size_t neverMoreTimes(Phrase& phrase);
 
+/// `never enter shoal`, `never leave box`: of an area it is a condition, which always holds.
+size_t neverEnters(Phrase& phrase);
+
+/// `whenever low then exit within 2 h`, `visit exit within 9 h`.
+size_t exitAsPlace(Phrase& phrase);
+
 /// `eventually look within 2 h`.
 size_t eventually(Phrase& phrase);
 

@@ -351,9 +351,9 @@ size_t promise(Phrase& phrase) {
     return 0;
   }
   return firstOf(phrase, {subject, visits, visitLeftOut, timeFirst, reachWithin, neverMoreTimes,
-                          eventually, scopeWithoutColon, scopeAtEnd, limitInWords, alwaysForVisit,
-                          promiseWords, surfacingAtLeast, surfacesTimes, timeAlone, caseAsWhenever,
-                          alwaysAtEnd, alwaysLeftOut});
+                          neverEnters, eventually, scopeWithoutColon, scopeAtEnd, limitInWords,
+                          alwaysForVisit, promiseWords, surfacingAtLeast, surfacesTimes, timeAlone,
+                          caseAsWhenever, alwaysAtEnd, alwaysLeftOut});
 }
 
 size_t promiseInside(Phrase& phrase) {
@@ -509,9 +509,11 @@ size_t reaction(Phrase& phrase) {
     return 0;
   }
   if (!phrase.hasRead({GliderLexer::WHENEVER, GliderLexer::WHEN})) {
-    return phrase.keyword() == GliderLexer::REQUIRE ? timeAfterIn(phrase) : 0;
+    return phrase.keyword() == GliderLexer::REQUIRE ? firstOf(phrase, {timeAfterIn, exitAsPlace})
+                                                    : 0;
   }
-  return firstOf(phrase, {timeAfterIn, commaOfReaction, stayInReaction, atOnce, stateOfReaction});
+  return firstOf(
+      phrase, {timeAfterIn, commaOfReaction, exitAsPlace, stayInReaction, atOnce, stateOfReaction});
 }
 
 size_t stateWordInPromise(Phrase& phrase) {

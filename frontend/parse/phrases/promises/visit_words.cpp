@@ -78,6 +78,69 @@ size_t eventually(Phrase& phrase) {
   return 1;
 }
 
+size_t exitAsPlace(Phrase& phrase) {
+  const bool after =
+      oneOf(phrase.before(), {GliderLexer::THEN, GliderLexer::VISIT, GliderLexer::UNTIL});
+  if (phrase.type() != GliderLexer::EXIT || !after || phrase.startsLine()) {
+    return 0;
+  }
+  const Lexeme word = phrase.token();
+  const size_t number =
+      phrase.type(1) == GliderLexer::WITHIN ? tokensOfQuantity(phrase, 2) : size_t{0};
+  const std::string_view time = number == 0 ? "TIME" : phrase.wholeText(2, number);
+  auto report = expected(phrase, word, "a state or a condition");
+  if (phrase.before() == GliderLexer::VISIT) {
+    report.hint(fmt::format("`exit` is not a place: write `require exit within {}`", time));
+  } else {
+    // The time is counted from the condition before it, not from the start of the mission.
+    report.hint(
+        fmt::format("`exit` is not a place: write `{} STATE within {} or exit`, or "
+                    "`require exit within TIME` for the whole mission",
+                    phrase.source().text(*phrase.lexemeBefore()), time));
+  }
+  phrase.put({GliderLexer::TRUE, word.begin, word.end});
+  phrase.notAsMeant();
+  return 1;
+}
+
+namespace {
+
+/// How a promise of the area or state `name` is written that is never entered, or never left;
+/// empty: it is neither.
+std::string insteadOfEntering(Phrase& phrase, std::string_view name, bool leaves) {
+  if (phrase.isArea(name)) {
+    return fmt::format("always {}inside({})", leaves ? "" : "!", name);
+  }
+  return !leaves && isStateName(phrase.source(), name) ? fmt::format("never {}", name) : "";
+}
+
+}  // namespace
+
+size_t neverEnters(Phrase& phrase) {
+  constexpr std::string_view kEnter[] = {"enter",   "enters",    "entering", "be inside",
+                                         "go into", "goes into", "inside",   "in"};
+  constexpr std::string_view kLeave[] = {"leave",      "leaves",  "leaving",
+                                         "be outside", "outside", "outside of"};
+  const size_t enter = tokensOfOne(phrase, 1, kEnter);
+  const size_t words = enter != 0 ? enter : tokensOfOne(phrase, 1, kLeave);
+  const size_t article = phrase.says(1 + words, "the") ? 1 : 0;
+  const size_t place = 1 + words + article;
+  if (phrase.type() != GliderLexer::NEVER || words == 0 || !isAnyName(phrase.type(place)) ||
+      phrase.startsLine(1) || phrase.startsLine(place) || !phrase.startsLine(place + 1)) {
+    return 0;
+  }
+  const Lexeme found = phrase.token(1);
+  const std::string better = insteadOfEntering(phrase, phrase.text(place), enter == 0);
+  auto report = expected(phrase, found, "a state or a condition");
+  if (better.empty()) {
+    report.hint("`never` takes a state or a condition, as in `require never depth > 60 m`");
+  } else {
+    report.hint(fmt::format("write `require {}`", better))
+        .fix(phrase.source().range(phrase.whole(0, place + 1)), better);
+  }
+  return putPromise(phrase, place + 1);
+}
+
 size_t placesWithoutComma(Phrase& phrase) {
   const bool list = oneOf(phrase.before(1), {GliderLexer::VISIT, GliderLexer::PATROL,
                                              GliderLexer::COMMA, GliderLexer::THEN});

@@ -165,6 +165,29 @@ size_t millilitresPerLitre(Phrase& phrase) {
   return 3;
 }
 
+size_t perUnit(Phrase& phrase) {
+  const bool number = oneOf(phrase.before(), {GliderLexer::UNIT, GliderLexer::MIN}) &&
+                      phrase.before(1) == GliderLexer::NUMBER;
+  if (!number || !phrase.says(0, "per") || phrase.startsLine() || phrase.startsLine(1) ||
+      !isAnyName(phrase.type(1))) {
+    return 0;
+  }
+  const Lexeme unit = *phrase.lexemeBefore();
+  const std::string_view word = phrase.text(1);
+  const std::string_view other = support::findUnit(word) ? word : unitForWord(word);
+  const std::string better = fmt::format("{}/{}", phrase.source().text(unit), other);
+  if (other.empty() || !support::parseUnit(better)) {
+    return 0;
+  }
+  const Lexeme both = phrase.whole(0, 2);
+  phrase.reporter()
+      .at(phrase.token(), support::diagnostics::wordOperator, phrase.text(), "/")
+      .hint(fmt::format("write `{} {}`", phrase.source().text(*phrase.lexemeBefore(1)), better))
+      .fix({phrase.source().file, unit.end, both.end}, fmt::format("/{}", other));
+  phrase.notAsMeant();  // the number has only the first of the two units
+  return 2;
+}
+
 size_t signOfFeet(Phrase& phrase) {
   const bool number = phrase.before() == GliderLexer::NUMBER && phrase.touches(0);
   if (phrase.text() != "'" || !number || phrase.keyword() == GliderLexer::LOG ||

@@ -96,8 +96,8 @@ double RandomPlace::course() {
 }
 
 void RandomPlace::move(double seconds, bool at_surface, bool dark) {
-  // What glides gets ahead only while it dives or climbs.
-  const bool rests = at_surface && !platform_.envelope.steersBySpeed();
+  // What glides gets ahead only while it dives or climbs; without the SBC it may.
+  const bool rests = at_surface && !dark && !platform_.envelope.steersBySpeed();
   const double way = rests ? 0 : speed_ * seconds;
   heading_ += turn_ * seconds;
   if (dark) {

@@ -536,6 +536,23 @@ TEST(Geofences, AtTheSurfaceAndWhileDarkRandomFlightsGoFurther) {
   EXPECT_GT(dark, at_surface + 60);
 }
 
+/// It gets ahead only while it dives or climbs; one with a propeller also at the surface.
+TEST(Geofences, RandomFlightsGlideOnlyUnderWater) {
+  const auto moved = [](platforms::Platform vehicle, bool surface) {
+    vehicle.envelope.drift_m_s = vehicle.world.surface_drift_m_s = 0;
+    Rng dice(1);
+    RandomPlace place({39, -73}, vehicle, dice);
+    place.obey({CommandRun{Command::Steer, {1}, false}});
+    place.move(300, surface, false);
+    return onEarth(Op::Distance, {39, -73}, place.where());
+  };
+  EXPECT_GT(moved(slocum(), false), 10);
+  EXPECT_NEAR(moved(slocum(), true), 0, 1e-3);
+  platforms::Platform propelled = slocum();
+  propelled.envelope.fastest_m_s = 2;
+  EXPECT_GT(moved(propelled, true), 10);
+}
+
 TEST(Geofences, RandomFlightsTakeAProfileInCToSteer) {
   Rng dice(1);
   RandomPlace place({39, -73}, slocum(), dice);

@@ -36,7 +36,8 @@ bool commandsTheSurface(const ProofContext& context) {
   return false;
 }
 
-/// Whether a behaviour above hookbeh (any, if there is none) brings the vehicle up before `limit` has passed.
+/// Whether a behaviour above hookbeh (any, if there is none) brings the vehicle up before `limit`
+/// has passed.
 bool comesUpByItself(std::span<const Layer> layers, double limit, double climb) {
   const auto hookbeh = std::ranges::find(layers, Role::Hookbeh, &Layer::role);
   return std::any_of(layers.begin(), hookbeh, [&](const Layer& layer) {

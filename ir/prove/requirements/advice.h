@@ -63,6 +63,10 @@ void noteSlowClimb(support::DiagnosticBuilder& warning, const Requirement& requi
 void noteTimerBelow(support::DiagnosticBuilder& warning, const Requirement& requirement,
                     const ProofContext& proof_context);
 
+/// That a profile which comes to the surface by itself does not stay there for as long as proofs
+/// need; of an undecided `surfaces every`.
+void noteOwnSurfacings(support::DiagnosticBuilder& warning, const ProofContext& proof_context);
+
 /// Names, of each state that commands the surface, a case that may lead on under water before the
 /// slowest climb of the environment model is over.
 void noteEarlyLeaves(support::DiagnosticBuilder& diagnostic, const ProofContext& proof_context);

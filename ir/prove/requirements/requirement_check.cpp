@@ -156,17 +156,24 @@ void RequirementCheck::searchLonger(Judged& judged) {
   }
   const unsigned effort =
       std::exchange(context_.search_effort, StrategyContext::kLonger * context_.search_effort);
+  if (context_.bare != nullptr) {
+    context_.bare->search_effort = context_.search_effort;
+  }
   Attempt attempt{judged.verdict.requirement, requirementOf(judged)};
   attempt.reason = judged.verdict.reason;
   if (judgeBy(strategy::otherLemmas(), attempt, judged) ||
       judgeBy(strategy::allTraces(), attempt, judged) ||
       (attempt.with_power_cuts && judgeBy(strategy::withoutPowerCuts(), attempt, judged)) ||
       judgeBy(strategy::traceWithPowerCuts(), attempt, judged) ||
+      judgeBy(strategy::withoutAssumptions(), attempt, judged) ||
       judgeBy(strategy::counted(), attempt, judged)) {
     judged.verdict.searched = true;
     learn(judged);
   }
   context_.search_effort = effort;
+  if (context_.bare != nullptr) {
+    context_.bare->search_effort = effort;
+  }
   // What was cut short hangs on what was searched for before.
   judged.verdict.searched &= !context_.proof.searches.isUsedUp();
 }
@@ -252,6 +259,7 @@ void RequirementCheck::settle(Judged& judged) {
   const ProofContext& proof_context = context_.proof.proof_context;
   if (requirement.kind == RequirementKind::SurfacesEvery) {
     noteEarlyLeaves(warning, proof_context);
+    noteOwnSurfacings(warning, proof_context);
     noteTimerBelow(warning, requirement, proof_context);
   } else if (requirement.seconds > 0) {
     noteLateEnd(warning, requirement, proof_context);

@@ -12,6 +12,7 @@
 #include "ir/prove/abstract/state_depths.h"
 #include "ir/prove/abstract/surfacing.h"
 #include "ir/prove/abstract/watch_times.h"
+#include "ir/prove/context/commands.h"
 #include "ir/prove/context/duration_text.h"
 #include "ir/prove/context/sensors_read.h"
 #include "ir/prove/context/vehicle_rules.h"
@@ -138,6 +139,31 @@ void noteEarlyLeaves(support::DiagnosticBuilder& diagnostic, const ProofContext&
       noteEarlyLeave(diagnostic, m.states[i],
                      {depths[i], proof_context.platform.world.surface_depth_m, climbs[i]},
                      proof_context);
+    }
+  }
+}
+
+void noteOwnSurfacings(support::DiagnosticBuilder& warning, const ProofContext& proof_context) {
+  const Mission& m = proof_context.mission;
+  const platforms::EnvironmentModel& world = proof_context.platform.world;
+  const std::vector<double> climbs = climbTimes(proof_context);
+  const std::vector<double> depths = deepestByState(proof_context);
+  for (size_t i = 0; i < m.states.size(); ++i) {
+    const State& state = m.states[i];
+    const bool surfaces = std::ranges::any_of(commandsOf(m, state), [](const Statement* command) {
+      return command->command == Command::Surface;
+    });
+    if (surfaces && !std::isfinite(climbs[i]) && std::isfinite(depths[i]) &&
+        !state.profile.cases.empty()) {
+      const double climb =
+          world.command_delay_s + world.turn_s +
+          std::max(0.0, depths[i] - world.surface_depth_m) / world.slowest_climb_m_s;
+      warning.note(state.profile.range,
+                   fmt::format("`{}` comes to the surface by itself, and a proof follows that only "
+                               "if it stays there for as long as the climb from {:.4g} m may take, "
+                               "{} (`pause` of `yo_and_surface`); or surface in a state of its own",
+                               m[state.profile.behaviour].name, depths[i], durationOf(climb)));
+      return;
     }
   }
 }

@@ -43,8 +43,8 @@ z3::sort Run::sortOf(const llvm::Type& type) {
   throw Undecided("a value that is neither a number nor a pointer");
 }
 
-z3::expr Run::anything(const llvm::Type& type) {
-  return z3().constant(fmt::format("anything {}", code_.unknowns_++).c_str(), sortOf(type));
+z3::expr Run::anything(const z3::sort& sort) {
+  return z3().constant(fmt::format("anything {}", code_.unknowns_++).c_str(), sort);
 }
 
 z3::expr Run::constant(const llvm::Constant& constant) {
@@ -60,7 +60,7 @@ z3::expr Run::constant(const llvm::Constant& constant) {
     return effects().address(0);
   }
   if (llvm::isa<llvm::UndefValue>(constant)) {
-    return anything(*constant.getType());
+    return anything(sortOf(*constant.getType()));
   }
   const auto* global = llvm::dyn_cast<llvm::GlobalVariable>(&constant);
   if (global != nullptr && global->isConstant() && global->hasDefinitiveInitializer()) {

@@ -79,16 +79,19 @@ void Run::enter(const llvm::BasicBlock& block, const llvm::BasicBlock& split) {
       });
   locals_ = *meeting<Locals>(
       split_, &block, [&](size_t i) { return ends_[i].locals; },
-      [](const z3::expr& when, Locals a, const Locals& b) {
-        for (const auto& [address, value] : b) {
-          const auto both = a.find(address);
-          if (both == a.end()) {
-            a.emplace(address, value);
-          } else if (!z3::eq(both->second, value)) {
-            both->second = z3::ite(when, both->second, value).simplify();
-          }
+      [&](const z3::expr& when, const Locals& a, const Locals& b) {
+        // What only one way has stored may be anything on the other.
+        const auto of = [&](const Locals& way, Address address, const z3::expr& other) {
+          const auto found = way.find(address);
+          return found == way.end() ? anything(other.get_sort()) : found->second;
+        };
+        Locals both = a;
+        both.insert(b.begin(), b.end());
+        for (auto& [address, value] : both) {
+          const z3::expr first = of(a, address, value), second = of(b, address, value);
+          value = z3::eq(first, second) ? first : z3::ite(when, first, second).simplify();
         }
-        return a;
+        return both;
       });
 }
 

@@ -76,7 +76,7 @@ class Run {
   Address address(const llvm::Value* pointer);
   /// A number that is one in every run; `what` is met otherwise.
   uint64_t numeral(const llvm::Value* value, const char* what);
-  z3::expr anything(const llvm::Type& type);
+  z3::expr anything(const z3::sort& sort);
   z3::sort sortOf(const llvm::Type& type);
   std::vector<z3::expr> arguments(const llvm::CallInst& call, unsigned first);
 

@@ -23,7 +23,8 @@ bool StructureRepair::leavesFromInside() const {
   if (deep < 2) {
     return false;
   }
-  if (isDeeper(in_[at_], blocks_.back().opener)) {
+  const bool first = at_ > 0 && oneOf(in_[at_ - 1].type, {GliderLexer::THEN, GliderLexer::ELSE});
+  if (first || isDeeper(in_[at_], blocks_.back().opener)) {
     return true;
   }
   for (size_t k = tokensOfTransition(); k < kFarthest; ++k) {
@@ -92,18 +93,36 @@ std::string StructureRepair::guardHere() const {
   return guard.size() > kLongest || guard.contains('\n') ? "" : guard;
 }
 
-std::string_view StructureRepair::setBefore() const {
-  const size_t outer = membersOpen();
-  for (size_t k = blocks_[outer].at + 1; k < at_; ++k) {
-    const std::string_view name = source_.text(in_[k]);
-    if (in_[k - 1].type != GliderLexer::SET) {
-      continue;
+size_t StructureRepair::branchOf(const Block& block) const {
+  size_t deep = 0;
+  for (size_t k = block.at + 1; block.otherwise && k < at_; ++k) {
+    const uint32_t type = in_[k].type;
+    if (type == GliderLexer::ELSE && deep == 0) {
+      return k;
     }
-    for (size_t i = outer + 1; i < blocks_.size(); ++i) {
-      for (size_t n = blocks_[i].at; n < at_ && in_[n].type != GliderLexer::THEN; ++n) {
-        if (source_.text(in_[n]) == name) {
-          return name;
-        }
+    deep += oneOf(type, {GliderLexer::DO, GliderLexer::IF}) ? 1U : 0U;
+    deep -= type == GliderLexer::END && deep > 0 ? 1U : 0U;
+  }
+  return block.at;
+}
+
+bool StructureRepair::asksFor(std::string_view name) const {
+  for (size_t i = membersOpen() + 1; i < blocks_.size(); ++i) {
+    for (size_t n = blocks_[i].at; n < at_ && in_[n].type != GliderLexer::THEN; ++n) {
+      if (source_.text(in_[n]) == name) {
+        return true;
+      }
+    }
+  }
+  return false;
+}
+
+std::string_view StructureRepair::setBefore() const {
+  for (size_t i = membersOpen(); i < blocks_.size(); ++i) {
+    const size_t end = i + 1 < blocks_.size() ? blocks_[i + 1].at : at_;
+    for (size_t k = branchOf(blocks_[i]) + 1; k < end; ++k) {
+      if (in_[k - 1].type == GliderLexer::SET && asksFor(source_.text(in_[k]))) {
+        return source_.text(in_[k]);
       }
     }
   }

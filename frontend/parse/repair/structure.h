@@ -149,8 +149,12 @@ class StructureRepair {
   [[nodiscard]] std::string guardHere() const;
   /// The tokens from number `first` up to the first of type `type`, as text.
   [[nodiscard]] std::string_view textUpTo(size_t first, uint32_t type) const;
-  /// A variable of that condition that is set in the block before; empty: there is none.
+  /// A variable of that condition that is set on the way to it; empty: there is none.
   [[nodiscard]] std::string_view setBefore() const;
+  /// The token with which the branch of an open block begins that is read now.
+  [[nodiscard]] size_t branchOf(const Block& block) const;
+  /// Whether the condition of an open `if` names it.
+  [[nodiscard]] bool asksFor(std::string_view name) const;
   void closeActions(const Lexeme& found) { closeUntil(membersOpen(), found); }
   /// The number of blocks that are open around all actions.
   [[nodiscard]] size_t membersOpen() const;

@@ -12,9 +12,10 @@
 
 namespace glider::slocum::rules {
 
-/// Reports that the mission may stay under water for longer than `abend` allows without a fix or
-/// contact, and that none of the `layers` brings the vehicle up before: GL3125 if no command leads
-/// to the surface, otherwise GL3131, as the bound on that time may be far above what happens.
+/// Reports that the vehicle may have no fix and no contact for longer than `abend` allows, unless
+/// one of the `layers` certainly brings it up before: GL3125 if the mission may be under water for
+/// so long and no command of it leads to the surface; otherwise GL3131, as the bound on that time
+/// may be far above what happens.
 void checkUntickled(const ir::WrittenWorld& world, const VehicleFile& file,
                     std::span<const Layer> layers, support::DiagnosticEngine& diagnostics);
 

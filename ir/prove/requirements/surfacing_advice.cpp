@@ -12,7 +12,6 @@
 #include "ir/prove/abstract/state_depths.h"
 #include "ir/prove/abstract/surfacing.h"
 #include "ir/prove/abstract/watch_times.h"
-#include "ir/prove/context/commands.h"
 #include "ir/prove/context/duration_text.h"
 #include "ir/prove/context/sensors_read.h"
 #include "ir/prove/context/vehicle_rules.h"
@@ -143,6 +142,21 @@ void noteEarlyLeaves(support::DiagnosticBuilder& diagnostic, const ProofContext&
   }
 }
 
+namespace {
+
+/// Whether a case of the profile commands the surface some time after another.
+bool surfacesByTime(const Mission& m, const Activity& profile) {
+  return std::ranges::any_of(profile.cases, [&](const Case& c) {
+    bool surfaces = false;
+    forEachStatement(m, c.action, [&](const Statement& s) {
+      surfaces = surfaces || (s.kind == StatementKind::Command && s.command == Command::Surface);
+    });
+    return surfaces && anyIn(m, c.guard, [](const Expr& e) { return e.op == Op::MissionTime; });
+  });
+}
+
+}  // namespace
+
 void noteOwnSurfacings(support::DiagnosticBuilder& warning, const ProofContext& proof_context) {
   const Mission& m = proof_context.mission;
   const platforms::EnvironmentModel& world = proof_context.platform.world;
@@ -150,11 +164,7 @@ void noteOwnSurfacings(support::DiagnosticBuilder& warning, const ProofContext& 
   const std::vector<double> depths = deepestByState(proof_context);
   for (size_t i = 0; i < m.states.size(); ++i) {
     const State& state = m.states[i];
-    const bool surfaces = std::ranges::any_of(commandsOf(m, state), [](const Statement* command) {
-      return command->command == Command::Surface;
-    });
-    if (surfaces && !std::isfinite(climbs[i]) && std::isfinite(depths[i]) &&
-        !state.profile.cases.empty()) {
+    if (surfacesByTime(m, state.profile) && !std::isfinite(climbs[i]) && std::isfinite(depths[i])) {
       const double climb =
           world.command_delay_s + world.turn_s +
           std::max(0.0, depths[i] - world.surface_depth_m) / world.slowest_climb_m_s;
